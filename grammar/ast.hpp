@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/source.hpp"
+
+#include <boost/spirit/home/x3/support/ast/variant.hpp>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The syntax tree of a scene file. It is generic: blocks, words, expressions and directives.
+/// No node knows what a sphere or a pigment is; `lang` gives meaning.
+///
+/// The language is spliced together token by token (macros and directives may stand between any two
+/// items of any list), so every list is a list of `Item`s and meaning is given in text order.
+/// Commas between items are optional in the language and leave no trace here, except that they end
+/// an expression (`<1 -2 3>` has two components).
+namespace abbe::ast {
+
+namespace x3 = boost::spirit::x3;
+
+struct Expr;
+struct Item;
+using Items = std::vector<Item>;
+
+/// A name that the user made up (an identifier) or a reserved word that can be an operand
+/// (`x`, `pi`, `clock`, `yes`, `image_width`): `reserved` tells which.
+struct Name {
+  Span span;
+  std::string text;
+  bool reserved = false;
+};
+
+struct Number {
+  Span span;
+  double value = 0;
+};
+
+/// Text between quotes. `text` has its escapes resolved; a *path* (`#include`, an image) is taken
+/// from `raw`, where a backslash is a backslash.
+struct String {
+  Span span;
+  std::string text;
+  std::string raw;
+};
+
+/// `<1, 2.5, -3>`: nothing but (signed) numbers. By far the most frequent node of mesh files.
+struct LiteralVector {
+  Span span;
+  std::uint8_t size = 0;
+  double values[5] = {};
+};
+
+enum class UnaryOp : std::uint8_t { Plus, Minus, Not };
+enum class BinaryOp : std::uint8_t {
+  Add, Sub, Mul, Div, And, Or, Less, LessEqual, Equal, NotEqual, GreaterEqual, Greater
+};
+
+struct Vector;
+struct Unary;
+struct Binary;
+struct Conditional;
+struct Member;
+struct Index;
+struct Call;
+struct Paren;
+struct Array;
+struct Function;
+struct Block;
+
+struct Expr : x3::variant<Number, LiteralVector, Name, String, x3::forward_ast<Vector>,
+                          x3::forward_ast<Unary>, x3::forward_ast<Binary>,
+                          x3::forward_ast<Conditional>, x3::forward_ast<Member>,
+                          x3::forward_ast<Index>, x3::forward_ast<Call>, x3::forward_ast<Paren>,
+                          x3::forward_ast<Array>, x3::forward_ast<Function>,
+                          x3::forward_ast<Block>> {
+  using base_type::base_type;
+  using base_type::operator=;
+};
+
+/// `<e, e, ...>`, two to five components; directives and macro calls may yield some of them.
+struct Vector {
+  Span span;
+  Items components;
+};
+struct Unary {
+  Span span;
+  UnaryOp op = UnaryOp::Plus;
+  Expr operand;
+};
+struct Binary {
+  Span span;
+  BinaryOp op = BinaryOp::Add;
+  Expr left;
+  Expr right;
+};
+/// `c ? a : b`
+struct Conditional {
+  Span span;
+  Expr condition;
+  Expr yes;
+  Expr no;
+};
+/// `operand.x`
+struct Member {
+  Span span;
+  Expr operand;
+  Name member;
+};
+/// `A[i][j]`
+struct Index {
+  Span span;
+  Name array;
+  std::vector<Expr> subscripts;
+};
+/// `F(a, b)`: a macro, a user function, a spline, a built-in function, or (commas being optional)
+/// a plain value followed by a parenthesised one. Which, is known when it is evaluated.
+/// Each argument is a list of items: one expression as a rule, more where directives stand inside.
+struct Call {
+  Span span;
+  Name callee;
+  std::vector<Items> arguments;
+};
+/// `( ... )`: one expression as a rule; directives may stand inside.
+struct Paren {
+  Span span;
+  Items items;
+};
+/// `array[3][2] { {a, b} ... }`; elements are flattened rows: nested braces are Blocks without a head.
+struct Array {
+  Span span;
+  std::vector<Expr> sizes;
+  bool has_elements = false;
+  Items elements;
+};
+/// `function(a, b) { ... }` or `function { ... }`, whose body has its own precedences
+/// (| & relational + * unary member), or `function { pattern { ... } }` and its like: `special`.
+/// `sizes` are those of `function 100, 100 { ... }`, where it stands for an image.
+struct Function {
+  Span span;
+  bool has_parameters = false;
+  std::vector<Name> parameters;
+  std::vector<Expr> sizes;
+  Items body; ///< one Expr as a rule; directives and macro calls may stand inside
+};
+/// `word { items }`, the general form of every object, texture, finish, map ...; the head is empty for
+/// a bare `{ items }` (rows of arrays). `spectrum`, `glass` and the like have no other form.
+struct Block {
+  Span span;
+  Name head;
+  Items items;
+};
+
+// ---------------------------------------------------------------------------------------- items
+
+/// A reserved word that is no operand: `translate`, `color`, `no_shadow`, `hollow` ...
+struct Word {
+  Span span;
+  std::string text;
+};
+/// `[ ... ]`: an entry of a map.
+struct Bracket {
+  Span span;
+  Items items;
+};
+/// A lone `:` (`xyz(1,0,0): 2`) or `;`, which few contexts allow.
+struct Punctuation {
+  Span span;
+  char symbol = 0;
+};
+
+/// `#if #ifdef #ifndef ... #elseif ... #else ... #end`
+struct If {
+  Span span;
+  struct Branch {
+    Span span;
+    enum class Test : std::uint8_t { If, Ifdef, Ifndef, Else } test = Test::If;
+    Expr condition; ///< for Ifdef and Ifndef a Name or Index; for Else unused
+    Items items;
+  };
+  std::vector<Branch> branches;
+  /// A branch may open blocks it does not close (`#if(M) merge { #else union { #end ... }`). Then
+  /// every branch that opens one has `open_blocks` > 0 and `tail` holds what follows `#end` inside
+  /// that block, whose last item in the branch is the block to be continued.
+  std::uint8_t open_blocks = 0;
+  Items tail;
+};
+/// `#while(c) ... #end`
+struct While {
+  Span span;
+  Expr condition;
+  Items items;
+};
+/// `#for(N, first, last, step) ... #end`; `arguments` are first, last and perhaps step.
+struct For {
+  Span span;
+  Name counter;
+  std::vector<Expr> arguments;
+  Items items;
+};
+/// `#switch(e) #case(v) ... #range(a, b) ... #else ... #end`
+struct Switch {
+  Span span;
+  Expr value;
+  struct Clause {
+    Span span;
+    enum class Kind : std::uint8_t { Case, Range, Else } kind = Kind::Case;
+    std::vector<Expr> bounds; ///< one for Case, two for Range
+    Items items;
+  };
+  std::vector<Clause> clauses;
+};
+/// `#declare N = value;` or `#local`; the target is a Name or an Index.
+struct Declare {
+  Span span;
+  bool local = false;
+  bool deprecated = false;
+  Expr target;
+  /// One expression as a rule (a block is one too); more for fragments (`color rgb <1,0,0> filter .5`,
+  /// old-style `texture { ... } finish { ... }` without a block stays one item each).
+  Items value;
+  bool has_semicolon = false;
+};
+/// `#macro N(a, b) ... #end`
+struct Macro {
+  Span span;
+  Name name;
+  std::vector<Name> parameters;
+  Items body;
+};
+/// All directives that are a word and what follows: include version default debug warning error
+/// render statistics undef fopen fclose read write break. `word` is without the '#'.
+struct Directive {
+  Span span;
+  std::string word;
+  Items arguments; ///< a block for default, names and expressions else
+};
+
+struct Item : x3::variant<Expr, Word, Bracket, Punctuation, x3::forward_ast<If>,
+                          x3::forward_ast<While>, x3::forward_ast<For>, x3::forward_ast<Switch>,
+                          x3::forward_ast<Declare>, x3::forward_ast<Macro>,
+                          x3::forward_ast<Directive>> {
+  using base_type::base_type;
+  using base_type::operator=;
+};
+
+/// The tree of one source.
+struct Document {
+  SourceFile const* source = nullptr;
+  Items items;
+};
+
+/// Calls `f` with the node inside (forward_ast unwrapped).
+template <class Visitor, class Variant>
+decltype(auto) visit(Visitor&& f, Variant&& v) {
+  return boost::apply_visitor(std::forward<Visitor>(f), std::forward<Variant>(v).get());
+}
+/// The node if it is a T, else nullptr.
+template <class T, class Variant>
+T const* get_if(Variant const& v) {
+  if (T const* plain = boost::get<T>(&v.get())) return plain;
+  return nullptr;
+}
+
+} // namespace abbe::ast

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "base/vec.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace abbe {
+
+/// What a shape or pattern reads its parameters from, in the order in which the scene gives them.
+/// The leaf libraries read through this interface and so know nothing of the language; `lang`
+/// implements it on the items of a block. A value that is missing or of the wrong type is reported
+/// at its place and a harmless default returned: reading goes on, so that one run reports all errors.
+/// Commas between values are optional and skipped.
+class Parameters {
+public:
+  virtual ~Parameters() = default;
+
+  /// A scalar; `name` ("major radius") is for messages.
+  virtual double number(std::string_view name) = 0;
+  /// A whole number, truncated toward zero; reported when outside [low, high].
+  virtual int integer(std::string_view name, int low, int high) = 0;
+  virtual Vec2 vec2(std::string_view name) = 0;
+  /// A scalar is replicated.
+  virtual Vec3 vec3(std::string_view name) = 0;
+  virtual Vec4 vec4(std::string_view name) = 0;
+  /// Is a number or vector next (and not a word, a block or the end)?
+  virtual bool has_value() = 0;
+  /// A number when one is next.
+  std::optional<double> optional_number(std::string_view name) {
+    if (!has_value()) return std::nullopt;
+    return number(name);
+  }
+  /// Takes the word when it is next.
+  virtual bool accept(std::string_view word) = 0;
+  /// A word that may be followed by a boolean (`open`, `hierarchy off`): true when it is there and on.
+  virtual std::optional<bool> flag(std::string_view word) = 0;
+  /// Opens `word {` when it is next; read its content, then close(), which reports what is left unread.
+  virtual bool open(std::string_view word) = 0;
+  virtual void close() = 0;
+  /// Is the current block (or the whole) used up?
+  virtual bool at_end() = 0;
+  /// Place of the next item, for report().
+  virtual Span next_span() = 0;
+  /// Reports an error or warning; the span defaults to the block that is being read.
+  virtual void report(Severity severity, std::string_view code, std::string_view message,
+                      Span span = {}) = 0;
+};
+
+} // namespace abbe

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "base/source.hpp"
+
+#include <algorithm>
+
+namespace abbe {
+
+SourceFile::SourceFile(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)) {}
+
+void SourceFile::index_lines() const {
+  if (!line_starts_.empty()) return;
+  line_starts_.push_back(0);
+  for (std::size_t i = 0; i < text_.size(); ++i)
+    if (text_[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
+}
+
+SourceFile::Place SourceFile::place(std::uint32_t offset) const {
+  index_lines();
+  auto const next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  auto const index = static_cast<std::size_t>(next - line_starts_.begin()) - 1;
+  return {static_cast<int>(index) + 1, static_cast<int>(offset - line_starts_[index]) + 1};
+}
+
+std::string_view SourceFile::line(int number) const {
+  index_lines();
+  auto const index = static_cast<std::size_t>(number - 1);
+  if (number < 1 || index >= line_starts_.size()) return {};
+  std::size_t const begin = line_starts_[index];
+  std::size_t end = text_.find('\n', begin);
+  if (end == std::string::npos) end = text_.size();
+  if (end > begin && text_[end - 1] == '\r') --end;
+  return std::string_view(text_).substr(begin, end - begin);
+}
+
+SourceFile const& SourceSet::add(std::string name, std::string text) {
+  sources_.push_back(std::make_unique<SourceFile>(std::move(name), std::move(text)));
+  return *sources_.back();
+}
+
+} // namespace abbe
