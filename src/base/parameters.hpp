@@ -41,6 +41,9 @@ public:
   /// Opens `word {` when it is next; read its content, then close(), which reports what is left unread.
   virtual bool open(std::string_view word) = 0;
   virtual void close() = 0;
+  /// Reads `texture { ... }` (its word included) and returns its number among the textures that this
+  /// object gives to its faces; -1 when none is next.
+  virtual int face_texture() = 0;
   /// Is the current block (or the whole) used up?
   virtual bool at_end() = 0;
   /// Place of the next item, for report().

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/vec.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// Shapes in their own (object) space, and the crossings of a line with their surface.
+///
+/// Everything here is without absolute tolerances: a crossing carries the bound of its own rounding
+/// error, roots known to be at the ray's start are deflated rather than stepped over, and there is no
+/// largest distance. Scaling a scene by a power of two gives the same bits.
+namespace abbe::geometry {
+
+/// A line with a start: p(t) = origin + t direction. The direction need not be of unit length (it is
+/// not after a transform: t keeps its meaning across spaces).
+struct Ray {
+  Vec3 origin{0};
+  Vec3 direction{0, 0, 1};
+  /// Bound of the rounding error of each component of the origin; zero where it is exact.
+  Vec3 origin_error{0};
+};
+
+/// Where the line passes through the surface of a shape.
+struct Crossing {
+  double t = 0;
+  double error = 0;        ///< bound of the rounding error of t
+  std::uint32_t face = 0;  ///< which face, triangle or sheet: for normals, textures and departures
+  bool entering = false;   ///< the line goes from outside to inside (against the outward normal)
+  bool toggles = true;     ///< inside and outside change here (false: a patch without an inside)
+  bool visible = true;     ///< there is a surface here (false: the missing lid of an open cylinder)
+};
+using Crossings = std::vector<Crossing>;
+
+/// The ray starts on this shape: at this face, and goes on to its inside or its outside.
+struct Start {
+  std::uint32_t face = 0;
+  bool to_inside = false;
+};
+
+struct Bounds {
+  Vec3 low{1, 1, 1};
+  Vec3 high{-1, -1, -1};
+  bool infinite = false;
+  bool empty() const { return !infinite && (low.x > high.x || low.y > high.y || low.z > high.z); }
+};
+
+class Shape {
+public:
+  virtual ~Shape() = default;
+
+  /// Appends ALL crossings of the whole line, t from -infinity to +infinity, in any order. When
+  /// `start` is given, the ray's origin lies on the surface at that face: the root there is known, is
+  /// reported as t == 0 with the origin's error (in units of t), and is removed from the equation
+  /// before the others are computed.
+  virtual void crossings(Ray const& ray, Start const* start, Crossings& out) const = 0;
+  /// Is the point inside the solid? (false for patches)
+  virtual bool inside(Vec3 const& point) const = 0;
+  /// Outward unit normal at a point of a face; smoothed where the shape says so.
+  virtual Vec3 normal(Vec3 const& point, std::uint32_t face) const = 0;
+  /// The plane's own normal where normal() is smoothed; equal to normal() else.
+  virtual Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const {
+    return normal(point, face);
+  }
+  virtual Bounds bounds() const = 0;
+  /// Has an inside (everything but triangles and meshes without inside_vector).
+  virtual bool solid() const { return true; }
+  /// Number of the face's own texture (Parameters::face_texture), -1 for the object's.
+  virtual int face_texture(std::uint32_t) const { return -1; }
+};
+using ShapePtr = std::shared_ptr<Shape const>;
+
+/// p -> linear * p + offset, with its inverse.
+struct Transform {
+  Mat3 linear{1};
+  Vec3 offset{0};
+  Mat3 inverse_linear{1};
+  Vec3 inverse_offset{0};
+
+  static Transform translation(Vec3 const& by);
+  static Transform scaling(Vec3 const& by);
+  /// POV-Ray's rotate: about x, then y, then z, degrees, left-handed.
+  static Transform rotation(Vec3 const& degrees);
+  static Transform rotation_about(Vec3 const& axis, double degrees);
+  /// POV-Ray's `matrix <...>`: 12 numbers, rows of a row-vector matrix; nullopt when singular.
+  static std::optional<Transform> matrix(double const (&rows)[12]);
+  /// `*this` first, then `next`.
+  Transform then(Transform const& next) const;
+  Transform inverse() const;
+  Vec3 point(Vec3 const& p) const { return linear * p + offset; }
+  Vec3 vector(Vec3 const& v) const { return linear * v; }
+  /// Direction of a normal (transposed inverse), not normalised.
+  Vec3 normal(Vec3 const& n) const { return glm::transpose(inverse_linear) * n; }
+  bool identity() const;
+};
+
+/// A shape and where it stands: shapes are in canonical form (unit sphere, unit cube ...), what makes
+/// them this sphere or box is the placement.
+struct PlacedShape {
+  ShapePtr shape;
+  Transform placement;
+};
+
+} // namespace abbe::geometry

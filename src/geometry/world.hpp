@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shape.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+/// All solids of a scene, and what a ray meets first.
+namespace abbe::geometry {
+
+using PrimitiveId = std::uint32_t;
+using SolidId = std::uint32_t;
+
+/// Boolean tree over primitives. `Clip`: the first child, shown only inside all the others, without
+/// caps. `Merge` is the regularised union (a POV-Ray union that must keep its inner faces is several
+/// solids, or is distributed over by the caller).
+struct CsgTree {
+  enum class Op : std::uint8_t { Primitive, Merge, Intersection, Difference, Clip };
+  Op op = Op::Primitive;
+  PrimitiveId primitive = 0;
+  bool inverse = false; ///< inside and outside swapped
+  std::vector<CsgTree> children;
+};
+
+/// For which rays a solid is there at all.
+struct Visibility {
+  std::uint8_t mask = 0xff;
+};
+inline constexpr std::uint8_t visible_to_camera = 1, visible_to_reflection = 2, visible_to_shadow = 4;
+
+/// One solid's surface, passed at a place where a ray goes through.
+struct SurfaceCrossing {
+  SolidId solid = 0;
+  PrimitiveId primitive = 0; ///< whose surface (and so whose texture) is seen
+  std::uint32_t face = 0;
+  double t = 0;
+  bool entering = false; ///< into the solid
+  bool toggles = true;   ///< false for patches: nothing is entered or left
+};
+
+/// The primitives on whose surface a ray starts (all that took part in the group of crossings it
+/// comes from, also those whose surface vanished there), and to which side of each it goes.
+struct Departure {
+  struct On {
+    PrimitiveId primitive = 0;
+    std::uint32_t face = 0;
+    bool was_entering = false; ///< the arriving ray was entering this primitive
+  };
+  std::vector<On> on;
+  bool through = true; ///< goes on to the other side (transmitted); false: comes back (reflected)
+  void clear() { on.clear(); }
+};
+
+/// Crossings that are one event within their rounding errors, ordered by solid.
+struct HitGroup {
+  double t = 0;
+  double error = 0;
+  Vec3 point{0};
+  Vec3 point_error{0}; ///< bound of each component's rounding error
+  std::vector<SurfaceCrossing> crossings;
+  std::vector<Departure::On> members;
+  void clear() {
+    crossings.clear();
+    members.clear();
+  }
+};
+
+/// Scratch memory of one thread: nothing is allocated per ray once it has grown.
+class Scratch;
+struct ScratchDeleter {
+  void operator()(Scratch*) const;
+};
+using ScratchPtr = std::unique_ptr<Scratch, ScratchDeleter>;
+
+class World {
+public:
+  struct Solid {
+    CsgTree tree;
+    std::uint8_t mask = 0xff;
+  };
+  /// @param primitives placed shapes, index = PrimitiveId, in coordinates relative to the camera
+  /// @param solids index = SolidId
+  World(std::vector<PlacedShape> primitives, std::vector<Solid> solids);
+  ~World();
+  World(World&&) noexcept;
+
+  static ScratchPtr make_scratch();
+
+  /// The first group of crossings with t > 0 (beyond the departure's own group), of solids with a bit
+  /// of `mask`. @return false when the ray meets nothing before t_max
+  bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
+               HitGroup& out) const;
+  /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?
+  bool occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                Scratch&) const;
+  /// The solids that contain the point, ordered by where a fixed line through it entered them.
+  void containing(Vec3 const& point, Scratch&, std::vector<SolidId>& out) const;
+  /// Outward unit normal of the primitive's surface in world space (smoothed / the true one).
+  Vec3 normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  Vec3 geometric_normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  /// Is the point inside the primitive?
+  bool inside(PrimitiveId, Vec3 const& point) const;
+  Bounds bounds(SolidId) const;
+  PlacedShape const& primitive(PrimitiveId) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace abbe::geometry
