@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "scene/scene.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abbe::lang {
+
+struct EvaluateOptions {
+  std::filesystem::path stdlib_dir;
+  std::vector<std::filesystem::path> include_dirs;               ///< -I
+  std::vector<std::pair<std::string, std::string>> declarations; ///< -D name=value
+  int image_width = 640;
+  int image_height = 480;
+  bool allow_write = false; ///< --allow-write
+  int max_errors = 50;
+  int max_macro_depth = 1000;
+  /// #debug, #warning texts as they come (already formatted warnings too).
+  std::function<void(std::string_view)> on_message;
+};
+
+struct Evaluated {
+  std::unique_ptr<SourceSet> sources; ///< spans point into these
+  scene::Scene scene;
+  std::vector<Diagnostic> diagnostics;
+  bool unreadable = false; ///< the scene file itself could not be read: exit status 3
+  bool ok() const;         ///< no diagnostic is an error
+};
+
+/// Reads, parses and evaluates a scene file.
+Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options);
+/// The same for a text (tests, fuzzing).
+Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions const& options);
+
+/// `abbe dump --scene`: the object graph, one node a line, stable over runs.
+std::string dump_scene(scene::Scene const&);
+
+} // namespace abbe::lang

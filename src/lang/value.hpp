@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/source.hpp"
+#include "grammar/ast.hpp"
+#include "optics/glass.hpp"
+#include "optics/spectrum.hpp"
+#include "scene/scene.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace abbe::lang {
+
+/// A number of one to five components: float, vector or colour value of the language.
+/// Promotion (section 2.3 of the language notes): one component is replicated, two or more are padded
+/// with zeros.
+struct Numeric {
+  std::uint8_t size = 1;
+  bool colour = false; ///< is a declared colour (may stand where a colour keyword is required)
+  std::array<double, 5> c{};
+
+  double scalar() const { return c[0]; }
+  Numeric promoted(int to) const;
+};
+
+struct Value;
+
+struct ArrayValue {
+  std::vector<int> sizes;
+  std::vector<Value> elements;
+};
+
+/// A macro: its tree and where it was defined.
+struct MacroValue {
+  ast::Macro const* tree = nullptr;
+};
+struct FunctionValue; // user function; see function.hpp
+struct SplineValue;   // see spline.hpp
+struct FileValue;     // see files.hpp
+
+/// `color_map`, `pigment_map`: entries ready for a pigment.
+struct MapValue {
+  std::vector<scene::Pigment::Entry> entries;
+};
+struct MaterialValue {
+  std::optional<scene::Layers> texture, interior_texture;
+  std::shared_ptr<scene::Interior const> interior;
+};
+
+/// Everything that can be declared. Block values are snapshots: using a name copies it.
+struct Value {
+  using Any =
+      std::variant<std::monostate, Numeric, std::string, scene::Colour /* with a spectrum */,
+                   std::shared_ptr<ArrayValue>, MacroValue, std::shared_ptr<FunctionValue>,
+                   std::shared_ptr<SplineValue>, std::shared_ptr<FileValue>,
+                   std::shared_ptr<scene::Object const>, std::shared_ptr<scene::Pigment const>,
+                   std::shared_ptr<scene::Finish const>, std::shared_ptr<scene::Layers const>,
+                   std::shared_ptr<scene::Interior const>, std::shared_ptr<MaterialValue const>,
+                   std::shared_ptr<MapValue const>, std::shared_ptr<geometry::Transform const>,
+                   std::shared_ptr<scene::Camera const>, std::shared_ptr<scene::Light const>,
+                   std::shared_ptr<scene::SkySphere const>, std::shared_ptr<optics::Glass const>,
+                   std::shared_ptr<optics::Spectrum const>>;
+  Any any;
+  Span declared_at;
+
+  bool empty() const { return any.index() == 0; }
+};
+
+/// "a float", "a texture": for messages.
+std::string_view type_name(Value const&);
+
+} // namespace abbe::lang

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/source.hpp"
+#include "base/vec.hpp"
+#include "geometry/shape.hpp"
+#include "texture/pattern.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abbe::optics {
+class Spectrum;
+class Glass;
+class Conductor;
+} // namespace abbe::optics
+
+/// A scene as plain data: what the language evaluates to and the renderer reads. No algorithms.
+/// World coordinates are the scene's own; angles are degrees as written.
+namespace abbe::scene {
+
+/// A colour as written: rgb (linear, scene white = 1 1 1) or a spectrum, with POV-Ray's two kinds of
+/// transparency. With a spectrum, `rgb` scales it (white leaves it alone).
+struct Colour {
+  Vec3 rgb{0};
+  double filter = 0;
+  double transmit = 0;
+  std::shared_ptr<optics::Spectrum const> spectrum;
+};
+
+struct Pigment {
+  Span span;
+  Colour colour; ///< of a plain pigment
+  /// Of a patterned one; then `entries` has the map (ascending values) or the list's items.
+  std::shared_ptr<texture::PatternInstance const> pattern;
+  struct Entry {
+    double value = 0;
+    std::shared_ptr<Pigment const> pigment;
+  };
+  std::vector<Entry> entries;
+};
+
+struct Reflection {
+  Colour minimum;
+  Colour maximum;
+  bool fresnel = false;
+  double falloff = 1;
+  double exponent = 1;
+  double metallic = 0;
+  std::shared_ptr<optics::Conductor const> metal; ///< reflectance by n and k; replaces the colours
+};
+
+/// POV-Ray's finish; defaults are POV-Ray's.
+struct Finish {
+  Colour ambient{Vec3(0.1), 0, 0, nullptr};
+  Colour emission;
+  double diffuse = 0.6;
+  double diffuse_back = 0;
+  double brilliance = 1;
+  double phong = 0;
+  double phong_size = 40;
+  double specular = 0;
+  double roughness = 0.05;
+  double metallic = 0;
+  std::optional<Reflection> reflection;
+  bool conserve_energy = false;
+};
+
+/// One layer of a texture.
+struct Texture {
+  Span span;
+  Pigment pigment;
+  Finish finish;
+  geometry::Transform placement; ///< texture space -> space of the object it is attached to
+};
+/// From the bottom (first written) to the top.
+using Layers = std::vector<Texture>;
+
+/// How a material that disperses splits a ray. `Inherit`: the scene's default.
+struct DispersionMode {
+  enum class Kind : std::uint8_t { Inherit, None, Deterministic, Stochastic } kind = Kind::Inherit;
+  enum class Jitter : std::uint8_t { Uniform, Triangular } jitter = Jitter::Uniform;
+  double jitter_width_bands = 1;
+  bool faithful = false; ///< fan-out 2 at the second refraction, as published
+  Span span;
+};
+
+struct Interior {
+  Span span;
+  double ior = 1;
+  std::shared_ptr<optics::Glass const> glass; ///< replaces ior when set
+  double pov_dispersion = 1;                  ///< ratio of violet to red index
+  int pov_dispersion_samples = 7;
+  DispersionMode dispersion;
+  double caustics = 0;
+  double fade_distance = 0;
+  double fade_power = 0;
+  Colour fade_colour;
+};
+
+struct Object {
+  enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference };
+  Span span;
+  Kind kind = Kind::Shape;
+  geometry::ShapePtr shape;      ///< of Kind::Shape
+  std::vector<Object> children;  ///< of the others
+  std::vector<Object> clipped_by;
+  /// Own space (and that of children and clipping objects) -> the parent's.
+  geometry::Transform placement;
+  std::optional<Layers> texture; ///< own; else the parent's, else the default at insertion
+  std::optional<Layers> interior_texture;
+  std::vector<Layers> face_textures;
+  std::shared_ptr<Interior const> interior;
+  bool inverse = false;
+  std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
+  bool clipped_by_bounds = false;
+};
+
+struct Light {
+  enum class Kind : std::uint8_t { Point, Spot, Parallel };
+  Span span;
+  Kind kind = Kind::Point;
+  Vec3 position{0};
+  Colour colour{Vec3(1), 0, 0, nullptr};
+  Vec3 point_at{0, 0, 1};
+  double radius_deg = 30;
+  double falloff_deg = 45;
+  double tightness = 0;
+  bool shadowless = false;
+  double fade_distance = 0;
+  double fade_power = 0;
+};
+
+/// As POV-Ray's camera after look_at, angle and transforms have been worked in.
+struct Camera {
+  enum class Kind : std::uint8_t { Perspective, Orthographic };
+  Span span;
+  Kind kind = Kind::Perspective;
+  Vec3 location{0};
+  Vec3 direction{0, 0, 1};
+  Vec3 up{0, 1, 0};
+  Vec3 right{1.33, 0, 0};
+};
+
+struct SpectralSettings {
+  Span span;
+  bool requested = false; ///< a `spectral` block stands in the scene
+  int bands = 16;
+  double low_nm = 380;
+  double high_nm = 780;
+  enum class Spacing : std::uint8_t { Uniform, Hall, Boundaries } spacing = Spacing::Uniform;
+  std::vector<double> boundaries_nm;
+  DispersionMode dispersion{DispersionMode::Kind::Deterministic,
+                            DispersionMode::Jitter::Uniform, 1, false, {}};
+  double mm_per_unit = 1;
+};
+
+struct Settings {
+  double adc_bailout = 1.0 / 255;
+  int max_trace_level = 5;
+  Colour ambient_light{Vec3(1), 0, 0, nullptr};
+  /// nullopt: not given (then 1 for version >= 3.7, no encoding at all below).
+  std::optional<double> assumed_gamma;
+  bool assumed_gamma_srgb = false;
+  double version = 3.62; ///< effective at the end of the parse
+  int noise_generator = 2;
+  SpectralSettings spectral;
+};
+
+struct SkySphere {
+  Span span;
+  std::vector<Pigment> pigments; ///< the last on top
+  Colour emission{Vec3(1), 0, 0, nullptr};
+  geometry::Transform placement;
+};
+
+struct Scene {
+  std::vector<Object> objects; ///< in text order; every leaf has a texture
+  std::vector<Light> lights;
+  Camera camera;
+  Colour background;
+  std::optional<SkySphere> sky_sphere;
+  Settings settings;
+};
+
+} // namespace abbe::scene
