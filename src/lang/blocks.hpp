@@ -1,59 +1,130 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/result.hpp"
 #include "lang/reader.hpp"
 
+#include <filesystem>
+#include <functional>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
-/// Readers of blocks: what the words of the language mean. Each takes the content of an opened block
-/// up to its end (the caller closes it).
+namespace abbe::optics {
+class GlassCatalogue;
+}
+
+/// Readers of blocks: what the words of the language mean. Each takes the content of an opened
+/// block up to its end; the caller opens and closes it.
 namespace abbe::lang {
 
-/// The current `#default` values, the scene that grows, and what the command line set.
+/// A `#default` texture's parts and the scene that grows: what all block readers share.
 struct SceneState {
   scene::Scene scene;
   scene::Texture default_texture;
   double effective_version = 3.62;
   int default_noise_generator = 2;
+  bool gamma_given = false; ///< a second assumed_gamma is ignored
+  int cameras = 0;          ///< seen at the top level, for the warning about a second one
+  /// Glasses of AGF files (`glass_catalog`), in the order read.
+  std::vector<std::shared_ptr<optics::Glass const>> file_glasses;
+  /// Entries of the catalogue that were named, so that each is parsed once.
+  std::map<std::string, std::shared_ptr<optics::Glass const>, std::less<>> named_glasses;
 };
 
-/// A kind of block that may stand at the top level or be declared; one line each in block_table.cpp.
+// ------------------------------------------------- what block readers ask of the interpreter
+// (implemented with the interpreter)
+
+SceneState& scene_state(Interpreter&);
+std::filesystem::path const& stdlib_dir(Interpreter&);
+/// The text of a file named in the scene, found as #include finds it. @error E05xx
+Result<std::string> load_file(Interpreter&, std::string_view path_as_written);
+/// Parses `text` (which the interpreter keeps under `name` for messages) and lets `read` take its
+/// items: for entries of catalogues.
+void read_text(Interpreter&, std::string name, std::string text,
+               std::function<void(Reader&)> const& read);
+
+// --------------------------------------------------- what the interpreter asks of this folder
+
+/// A kind of block that may stand at the top level or be declared; one line each in
+/// block_table.cpp.
 struct BlockKind {
   std::string_view head;
-  /// Reads the block's content into a value (for #declare, macro arguments, operands).
-  Value (*read)(Reader&);
+  /// Reads the opened block's content into a value (for #declare, macro arguments, operands).
+  Value (*read)(Reader&, std::string_view head);
   /// Puts the value into the scene when the block stands at the top level; null: not allowed there.
   void (*place)(Value&&, Reader&);
 };
+/// Ordered by head.
 std::span<BlockKind const> block_kinds();
 BlockKind const* find_block_kind(std::string_view head);
 
-// object.cpp
+/// Reads one statement of the top level: a block that is placed into the scene, the name of an
+/// object, `glass_catalog "file"`, `max_trace_level n`; reports anything else. Directives never get
+/// here.
+void read_statement(Reader&);
+/// The content of `#default { ... }`.
+void read_default(Reader&);
+/// Once, after the last statement: moves what was found into Scene::settings and checks what can
+/// only be checked now (every glass against the range of bands, E0412).
+void finish_scene(Reader&);
+
+// ------------------------------------------------------------------------------ block readers
+
+// object.cpp, csg.cpp, object_modifier.cpp
 scene::Object read_object(Reader&, std::string_view head);
+bool is_object_head(std::string_view head);
+/// An object where one is next (a block, or the name of an object), else nullopt and nothing taken.
+std::optional<scene::Object> accept_object(Reader&);
 /// Takes one object modifier (translate, texture, hollow ...) when one is next.
 bool read_object_modifier(Reader&, scene::Object&);
+/// Applies a transform to an object with all that is attached to it so far.
+void transform_object(scene::Object&, geometry::Transform const&);
+/// Inserts a copy of the object into the scene: see scene::Object for what that settles.
+void place_object(scene::Object, SceneState&);
 // transform.cpp
-/// Takes translate, rotate, scale, matrix, transform when one is next.
+/// Takes translate, rotate, scale, matrix, transform when one is next and appends it.
 bool read_transform(Reader&, geometry::Transform&);
 // colour.cpp
-/// A colour in a slot that can only be one: color/rgb.../red..., identifiers, bare numbers, spectrum.
+/// A colour in a slot that can only be one: color/rgb.../red..., identifiers, bare numbers,
+/// spectrum.
 scene::Colour read_colour(Reader&, std::string_view name);
-/// A colour where a bare vector is not allowed: nullopt when no colour word or colour name is next.
+/// The same where only rgb counts: filter and transmit are dropped.
+scene::Colour read_rgb(Reader&, std::string_view name);
+/// A colour where a bare vector is not allowed: nullopt when no colour word or name is next.
+/// A number that is no colour is reported and read as one.
 std::optional<scene::Colour> accept_colour(Reader&);
-// pigment.cpp, finish.cpp, texture.cpp, interior.cpp, spectrum.cpp, glass.cpp
+// pigment.cpp, color_map.cpp, finish.cpp, texture.cpp, material.cpp
 void read_pigment(Reader&, scene::Pigment&);
+void transform_pigment(scene::Pigment&, geometry::Transform const&);
+/// `color_map`, `pigment_map` (the opened block's content).
+std::vector<scene::Pigment::Entry> read_color_map(Reader&);
+std::vector<scene::Pigment::Entry> read_pigment_map(Reader&);
 void read_finish(Reader&, scene::Finish&);
 void read_texture(Reader&, scene::Layers&);
+MaterialValue read_material(Reader&);
+// interior.cpp, dispersion.cpp, spectrum.cpp, glass.cpp
 void read_interior(Reader&, scene::Interior&);
+scene::DispersionMode read_dispersion_mode(Reader&);
 std::shared_ptr<optics::Spectrum const> read_spectrum(Reader&);
 std::shared_ptr<optics::Glass const> read_glass(Reader&);
-scene::DispersionMode read_dispersion_mode(Reader&);
-MaterialValue read_material(Reader&);
+/// `"N-BK7"`, `"SCHOTT/N-BK7"`: out of the AGF files read and the catalogue. Reports unknown names
+/// (E0410, with the nearest) and ambiguous ones (E0411, with the makers) and returns null.
+std::shared_ptr<optics::Glass const> named_glass(Reader&, std::string const& name, Span);
 // light.cpp, camera.cpp, settings.cpp, sky.cpp
 scene::Light read_light(Reader&);
+void transform_light(scene::Light&, geometry::Transform const&);
 scene::Camera read_camera(Reader&);
 void read_global_settings(Reader&, scene::Settings&);
 scene::SkySphere read_sky_sphere(Reader&);
+
+// unsupported.cpp
+/// When the next word is one of POV-Ray's that abbe does not support yet (unsupported.def): reports
+/// E0901 there, skips it with what belongs to it, and returns true.
+bool skip_unsupported(Reader&);
+/// Ends a block reader's loop round: skip_unsupported, or else Reader::unexpected.
+void reject(Reader&, std::string_view where);
 
 } // namespace abbe::lang

@@ -68,6 +68,9 @@ public:
   /// Reports the next item as unknown or misplaced in this block ("unknown item 'shpere' in sphere;
   /// did you mean ...") and skips it with what belongs to it.
   virtual void unexpected(std::string_view where) = 0;
+  /// Skips the next item with what belongs to it (a block whole, a word with the values and strings
+  /// after it), without evaluating anything: for things already reported.
+  virtual void skip() = 0;
   /// Span of the block being read.
   virtual Span block_span() = 0;
   virtual Interpreter& interpreter() = 0;

@@ -49,7 +49,7 @@ struct Reflection {
   Colour maximum;
   bool fresnel = false;
   double falloff = 1;
-  double exponent = 1;
+  double exponent = 1; ///< as written: the reflected colour is raised to 1 / exponent
   double metallic = 0;
   std::shared_ptr<optics::Conductor const> metal; ///< reflectance by n and k; replaces the colours
 };
@@ -75,7 +75,8 @@ struct Texture {
   Span span;
   Pigment pigment;
   Finish finish;
-  geometry::Transform placement; ///< texture space -> space of the object it is attached to
+  /// Texture space -> the space that its object stands in (Object's parent; the world in a Scene).
+  geometry::Transform placement;
 };
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;
@@ -102,6 +103,13 @@ struct Interior {
   Colour fade_colour;
 };
 
+struct Light;
+
+/// A shape or a CSG combination. While a scene is read, `placement` takes the shape or the children
+/// to the parent's space; clipping objects, textures and lights are in the parent's space already (so
+/// that nothing is ever transformed there and back). In a finished Scene all of that is worked in:
+/// placements of combinations are the identity, and leaves, clipping objects and textures are in
+/// world space; every leaf has its texture, its interior and all its flags.
 struct Object {
   enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference };
   Span span;
@@ -109,8 +117,8 @@ struct Object {
   geometry::ShapePtr shape;      ///< of Kind::Shape
   std::vector<Object> children;  ///< of the others
   std::vector<Object> clipped_by;
-  /// Own space (and that of children and clipping objects) -> the parent's.
-  geometry::Transform placement;
+  geometry::Transform placement; ///< of the shape or of the children
+  std::vector<Light> lights;     ///< written inside a union; moved to Scene::lights at insertion
   std::optional<Layers> texture; ///< own; else the parent's, else the default at insertion
   std::optional<Layers> interior_texture;
   std::vector<Layers> face_textures;
