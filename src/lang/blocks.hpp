@@ -24,6 +24,7 @@ namespace abbe::lang {
 struct SceneState {
   scene::Scene scene;
   scene::Texture default_texture;
+  scene::Camera default_camera;
   double effective_version = 3.62;
   int default_noise_generator = 2;
   bool gamma_given = false; ///< a second assumed_gamma is ignored

@@ -5,7 +5,9 @@
 #include "lang/value.hpp"
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace abbe::lang {
 
@@ -14,8 +16,8 @@ class Interpreter;
 /// What stands next in a block, after directives were carried out and macros expanded.
 enum class Next : std::uint8_t {
   End,
-  Word,       ///< a word without value: `translate`, `hollow`, also an unknown or contextual name
-  Numeric,    ///< an expression or identifier that is a float, vector or colour
+  Word,    ///< a word without value: `translate`, `hollow`, also an unknown or contextual name
+  Numeric, ///< an expression or identifier that is a float, vector or colour
   String,
   Identifier, ///< a name (or array element, macro result) that holds a block value
   Block,      ///< `word {`
@@ -23,15 +25,16 @@ enum class Next : std::uint8_t {
   Punctuation
 };
 
-/// Reads the items of a block one after another in text order. Directives met on the way are carried
-/// out, macro calls are expanded in place, commas skipped: a block reader is written as plain
-/// recursive descent and never sees them. Implements Parameters for the leaf libraries.
+/// Reads the items of a block one after another in text order. Directives met on the way are
+/// carried out, macro calls are expanded in place, commas skipped: a block reader is written as
+/// plain recursive descent and never sees them. Implements Parameters for the leaf libraries.
 ///
 /// A block reader loop is
 ///     while (!in.at_end()) {
 ///       if (in.accept("translate")) ... in.vec3("translation")
 ///       else if (in.open("pigment")) { read_pigment(in, ...); in.close(); }
-///       else in.unexpected("a sphere modifier");   // reports, names the nearest valid word, skips it
+///       else in.unexpected("a sphere modifier");   // reports, names the nearest valid word, skips
+///       it
 ///     }
 /// The words asked for by accept(), flag() and open() since the last item was taken are remembered:
 /// they are what `unexpected` offers as "did you mean".
@@ -47,6 +50,9 @@ public:
 
   /// The next expression with at least `minimum` components after promotion, at most 5.
   virtual Numeric numeric(std::string_view name, int minimum = 1) = 0;
+  /// The components of one `<...>` that has exactly `count` of them, any number (matrix 12, quartic
+  /// 35 ...); zeros after an error.
+  virtual std::vector<double> components(std::string_view name, int count) = 0;
   virtual std::string string(std::string_view name) = 0;
   /// A boolean that may be left out (`hollow`, `hollow off`).
   virtual bool boolean_or(bool absent) = 0;
@@ -71,6 +77,9 @@ public:
   /// Skips the next item with what belongs to it (a block whole, a word with the values and strings
   /// after it), without evaluating anything: for things already reported.
   virtual void skip() = 0;
+  /// The textures that face_texture() numbered since the last call, in that order. A texture block
+  /// that is nothing but a name gets the same number each time.
+  virtual std::vector<scene::Layers> take_face_textures() = 0;
   /// Span of the block being read.
   virtual Span block_span() = 0;
   virtual Interpreter& interpreter() = 0;

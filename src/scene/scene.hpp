@@ -23,8 +23,8 @@ class Conductor;
 /// World coordinates are the scene's own; angles are degrees as written.
 namespace abbe::scene {
 
-/// A colour as written: rgb (linear, scene white = 1 1 1) or a spectrum, with POV-Ray's two kinds of
-/// transparency. With a spectrum, `rgb` scales it (white leaves it alone).
+/// A colour as written: rgb (linear, scene white = 1 1 1) or a spectrum, with POV-Ray's two kinds
+/// of transparency. With a spectrum, `rgb` scales it (white leaves it alone).
 struct Colour {
   Vec3 rgb{0};
   double filter = 0;
@@ -42,6 +42,7 @@ struct Pigment {
     std::shared_ptr<Pigment const> pigment;
   };
   std::vector<Entry> entries;
+  bool default_entries = false; ///< the scene gave no map: entries are the pattern's own
 };
 
 struct Reflection {
@@ -106,16 +107,16 @@ struct Interior {
 struct Light;
 
 /// A shape or a CSG combination. While a scene is read, `placement` takes the shape or the children
-/// to the parent's space; clipping objects, textures and lights are in the parent's space already (so
-/// that nothing is ever transformed there and back). In a finished Scene all of that is worked in:
-/// placements of combinations are the identity, and leaves, clipping objects and textures are in
-/// world space; every leaf has its texture, its interior and all its flags.
+/// to the parent's space; clipping objects, textures and lights are in the parent's space already
+/// (so that nothing is ever transformed there and back). In a finished Scene all of that is worked
+/// in: placements of combinations are the identity, and leaves, clipping objects and textures are
+/// in world space; every leaf has its texture, its interior and all its flags.
 struct Object {
   enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference };
   Span span;
   Kind kind = Kind::Shape;
-  geometry::ShapePtr shape;      ///< of Kind::Shape
-  std::vector<Object> children;  ///< of the others
+  geometry::ShapePtr shape;     ///< of Kind::Shape
+  std::vector<Object> children; ///< of the others
   std::vector<Object> clipped_by;
   geometry::Transform placement; ///< of the shape or of the children
   std::vector<Light> lights;     ///< written inside a union; moved to Scene::lights at insertion
@@ -125,7 +126,8 @@ struct Object {
   std::shared_ptr<Interior const> interior;
   bool inverse = false;
   std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
-  bool clipped_by_bounds = false;
+  std::vector<Object>
+      bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
 };
 
 struct Light {
@@ -162,8 +164,8 @@ struct SpectralSettings {
   double high_nm = 780;
   enum class Spacing : std::uint8_t { Uniform, Hall, Boundaries } spacing = Spacing::Uniform;
   std::vector<double> boundaries_nm;
-  DispersionMode dispersion{DispersionMode::Kind::Deterministic,
-                            DispersionMode::Jitter::Uniform, 1, false, {}};
+  DispersionMode dispersion{
+      DispersionMode::Kind::Deterministic, DispersionMode::Jitter::Uniform, 1, false, {}};
   double mm_per_unit = 1;
 };
 
