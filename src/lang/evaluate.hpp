@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "scene/scene.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -23,16 +24,19 @@ struct EvaluateOptions {
   bool allow_write = false; ///< --allow-write
   int max_errors = 50;
   int max_macro_depth = 1000;
-  /// #debug, #warning texts as they come (already formatted warnings too).
+  /// Texts of #debug, #render and #statistics as they come. (Warnings and errors are diagnostics.)
   std::function<void(std::string_view)> on_message;
+  /// Set from outside (an interrupt), it ends the evaluation at the next step.
+  std::atomic<bool> const* stop = nullptr;
 };
 
 struct Evaluated {
   std::unique_ptr<SourceSet> sources; ///< spans point into these
   scene::Scene scene;
   std::vector<Diagnostic> diagnostics;
-  bool unreadable = false; ///< the scene file itself could not be read: exit status 3
-  bool ok() const;         ///< no diagnostic is an error
+  bool unreadable = false;  ///< the scene file itself could not be read: exit status 3
+  bool interrupted = false; ///< by EvaluateOptions::stop
+  bool ok() const;          ///< no diagnostic is an error
 };
 
 /// Reads, parses and evaluates a scene file.

@@ -54,6 +54,8 @@ public:
   /// 35 ...); zeros after an error.
   virtual std::vector<double> components(std::string_view name, int count) = 0;
   virtual std::string string(std::string_view name) = 0;
+  /// A file's name: a string in which a backslash is a backslash.
+  virtual std::string path(std::string_view name) = 0;
   /// A boolean that may be left out (`hollow`, `hollow off`).
   virtual bool boolean_or(bool absent) = 0;
   /// The value of the next identifier when next() == Identifier, else nullptr; take() consumes it.

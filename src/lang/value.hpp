@@ -17,15 +17,19 @@
 namespace abbe::lang {
 
 /// A number of one to five components: float, vector or colour value of the language.
-/// Promotion (section 2.3 of the language notes): one component is replicated, two or more are padded
-/// with zeros.
+/// Promotion (section 2.3 of the language notes): one component is replicated, two or more are
+/// padded with zeros.
 struct Numeric {
   std::uint8_t size = 1;
-  bool colour = false; ///< is a declared colour (may stand where a colour keyword is required)
+  bool colour = false; ///< is or contains a declared colour (may stand where a colour keyword must)
   std::array<double, 5> c{};
 
   double scalar() const { return c[0]; }
+  Vec3 vec3() const { return {c[0], c[1], c[2]}; }
+  /// At least `to` components: one is replicated, more are padded with zeros.
   Numeric promoted(int to) const;
+  /// Comes of something wrong that was reported already (size 0).
+  bool poisoned() const { return size == 0; }
 };
 
 struct Value;
