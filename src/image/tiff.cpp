@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "image/atomic_file.hpp"
+#include "image/colour.hpp"
+#include "image/input_file.hpp"
+#include "image/io.hpp"
+
+#include <cerrno>
+#include <cstdarg>
+#include <fmt/format.h>
+#include <memory>
+#include <tiffio.h>
+#include <unistd.h>
+
+namespace abbe::image {
+namespace {
+
+/// What libtiff says, kept for the report: the first error, and errno at that time.
+struct TiffErrors {
+  std::string message;
+  int os_error = 0;
+
+  static int on_error(TIFF*, void* self, char const*, char const* format, va_list arguments) {
+    auto* errors = static_cast<TiffErrors*>(self);
+    if (!errors->message.empty()) return 1;
+    int const os_error = errno;
+    char text[500];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    errors->message = text;
+    errors->os_error = os_error;
+    return 1;
+  }
+  static int on_warning(TIFF*, void*, char const*, char const*, va_list) { return 1; }
+};
+
+struct Close {
+  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+};
+using Tiff = std::unique_ptr<TIFF, Close>;
+
+/// libtiff closes its descriptor, so it gets one of its own.
+Tiff open_tiff(std::FILE* stream, std::filesystem::path const& path, char const* mode,
+               TiffErrors& errors) {
+  std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> const options(TIFFOpenOptionsAlloc(),
+                                                                             TIFFOpenOptionsFree);
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), TiffErrors::on_error, &errors);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), TiffErrors::on_warning, &errors);
+  int const descriptor = ::dup(::fileno(stream));
+  if (descriptor < 0) return nullptr;
+  ::lseek(descriptor, 0, SEEK_SET);
+  Tiff tiff(TIFFFdOpenExt(descriptor, path.c_str(), mode, options.get()));
+  if (!tiff) ::close(descriptor);
+  return tiff;
+}
+
+std::string description_of(Image const& image) {
+  std::string text;
+  for (auto const& [key, value] : image.metadata) text += key + ": " + value + "\n";
+  return text;
+}
+
+bool write_tags(TIFF* tiff, Image const& image) {
+  auto const width = static_cast<std::uint32_t>(image.width);
+  bool ok = TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width) != 0;
+  ok = ok && TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height));
+  ok = ok && TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_LOGLUV);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_SGILOG);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGENCODE, SGILOGENCODE_NODITHER);
+  ok = ok && TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+  if (!image.metadata.empty())
+    ok = ok && TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description_of(image).c_str());
+  return ok;
+}
+
+bool write_rows(TIFF* tiff, Image const& image) {
+  auto const width = static_cast<std::size_t>(image.width);
+  std::vector<float> row(3 * width);
+  for (int y = 0; y < image.height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      Vec3 xyz = linear_srgb_to_xyz(pixel(image, static_cast<std::size_t>(y) * width + x));
+      if (!(xyz.y > 0)) xyz = Vec3(0);
+      for (int c = 0; c < 3; ++c) row[3 * x + c] = static_cast<float>(xyz[c]);
+    }
+    if (TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(y)) < 0) return false;
+  }
+  return TIFFFlush(tiff) != 0;
+}
+
+void read_description(TIFF* tiff, Image& image) {
+  char const* text = nullptr;
+  if (!TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) || !text) return;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    std::string_view const line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    std::size_t const colon = line.find(": ");
+    if (colon != std::string_view::npos)
+      image.metadata.emplace_back(line.substr(0, colon), line.substr(colon + 2));
+    else if (!line.empty())
+      image.metadata.emplace_back("ImageDescription", line);
+  }
+}
+
+/// Size and kind, before anything is allocated.
+Status check_tiff(TIFF* tiff, std::filesystem::path const& path, std::uint64_t file_size) {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint16_t photometric = 0;
+  std::uint16_t compression = 0;
+  TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &width);
+  TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &height);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_PHOTOMETRIC, &photometric);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &compression);
+  if (photometric != PHOTOMETRIC_LOGLUV
+      || (compression != COMPRESSION_SGILOG && compression != COMPRESSION_SGILOG24))
+    return unsupported(path, "of TIFF only LogLuv is read");
+  if (TIFFIsTiled(tiff)) return unsupported(path, "its LogLuv data are in tiles");
+  // Four planes of runs of at most 129 pixels, each run in 2 bytes.
+  return check_size(path, width, height, static_cast<double>(file_size) * 129 / 8);
+}
+
+} // namespace
+
+Status write_tiff_logluv(Image const& image, std::filesystem::path const& path) {
+  if (Status const valid = validate(image); !valid) return valid;
+  if (!image.alpha.empty())
+    return Error{"E0516", fmt::format("cannot write '{}': LogLuv TIFF has no transparency; write "
+                                      ".exr or .png, or render without alpha",
+                                      path.string())};
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  TiffErrors errors;
+  {
+    Tiff const tiff = open_tiff(file->stream(), path, "w", errors);
+    if (!tiff || !write_tags(tiff.get(), image) || !write_rows(tiff.get(), image))
+      return file->error(errors.os_error ? errors.os_error : EIO);
+  }
+  // Closing writes too, and can fail.
+  if (!errors.message.empty()) return file->error(errors.os_error ? errors.os_error : EIO);
+  return file->commit();
+}
+
+Result<Image> read_tiff(std::filesystem::path const& path) {
+  Result<InputFile> file = open_input(path);
+  if (!file) return file.error();
+  TiffErrors errors;
+  Tiff const tiff = open_tiff(file->stream.get(), path, "r", errors);
+  if (!tiff) return damaged(path, errors.message);
+  if (Status const sane = check_tiff(tiff.get(), path, file->size); !sane) return sane.error();
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
+  TIFFSetField(tiff.get(), TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
+  std::vector<float> row(3 * std::size_t{width});
+  if (TIFFScanlineSize64(tiff.get()) != row.size() * sizeof(float))
+    return unsupported(path, "its LogLuv data are not 3 samples per pixel in one plane");
+  try {
+    Image image = make_image(static_cast<int>(width), static_cast<int>(height));
+    for (std::uint32_t y = 0; y < height; ++y) {
+      if (TIFFReadScanline(tiff.get(), row.data(), y) < 0) return damaged(path, errors.message);
+      for (std::size_t x = 0; x < width; ++x)
+        set_pixel(image, std::size_t{y} * width + x,
+                  xyz_to_linear_srgb({row[3 * x], row[3 * x + 1], row[3 * x + 2]}));
+    }
+    read_description(tiff.get(), image);
+    return image;
+  } catch (std::bad_alloc const&) {
+    return Error{"E0514", fmt::format("'{}' does not fit into memory", path.string())};
+  }
+}
+
+} // namespace abbe::image
