@@ -29,7 +29,7 @@ struct ExrOptions {
 };
 
 struct PngOptions {
-  int bits = 8;     ///< 8 or 16 per channel
+  int bits = 8;       ///< 8 or 16 per channel
   ToneOptions tone{}; ///< from linear light to [0, 1]; then the sRGB transfer function
 };
 
