@@ -11,27 +11,33 @@
 /// Shapes in their own (object) space, and the crossings of a line with their surface.
 ///
 /// Everything here is without absolute tolerances: a crossing carries the bound of its own rounding
-/// error, roots known to be at the ray's start are deflated rather than stepped over, and there is no
-/// largest distance. Scaling a scene by a power of two gives the same bits.
+/// error, roots known to be at the ray's start are deflated rather than stepped over, and there is
+/// no largest distance. Scaling a scene by a power of two gives the same bits.
 namespace abbe::geometry {
 
-/// A line with a start: p(t) = origin + t direction. The direction need not be of unit length (it is
-/// not after a transform: t keeps its meaning across spaces).
+/// A line with a start: p(t) = origin + t direction. The direction need not be of unit length (it
+/// is not after a transform: t keeps its meaning across spaces).
 struct Ray {
   Vec3 origin{0};
   Vec3 direction{0, 0, 1};
-  /// Bound of the rounding error of each component of the origin; zero where it is exact.
+  /// How far, per component, the origin may be from the surface point it is meant to be (a hit's
+  /// point_error); zero where it is exact. Only decides what is "at the start": the line that is
+  /// followed is the one given, so that errors do not grow from bounce to bounce.
   Vec3 origin_error{0};
+  /// Bounds of the rounding errors of a transform to object space; leave zero in world space.
+  Vec3 origin_rounding{0};
+  Vec3 direction_rounding{0};
 };
 
 /// Where the line passes through the surface of a shape.
 struct Crossing {
   double t = 0;
-  double error = 0;        ///< bound of the rounding error of t
-  std::uint32_t face = 0;  ///< which face, triangle or sheet: for normals, textures and departures
-  bool entering = false;   ///< the line goes from outside to inside (against the outward normal)
-  bool toggles = true;     ///< inside and outside change here (false: a patch without an inside)
-  bool visible = true;     ///< there is a surface here (false: the missing lid of an open cylinder)
+  double error = 0;       ///< bound of the rounding error of t, for the line as given
+  double slack = 0;       ///< how far t moves when the origin moves within its origin_error
+  std::uint32_t face = 0; ///< which face, triangle or sheet: for normals, textures and departures
+  bool entering = false;  ///< the line goes from outside to inside (against the outward normal)
+  bool toggles = true;    ///< inside and outside change here (false: a patch without an inside)
+  bool visible = true;    ///< there is a surface here (false: the missing lid of an open cylinder)
 };
 using Crossings = std::vector<Crossing>;
 
@@ -53,9 +59,9 @@ public:
   virtual ~Shape() = default;
 
   /// Appends ALL crossings of the whole line, t from -infinity to +infinity, in any order. When
-  /// `start` is given, the ray's origin lies on the surface at that face: the root there is known, is
-  /// reported as t == 0 with the origin's error (in units of t), and is removed from the equation
-  /// before the others are computed.
+  /// `start` is given, the ray's origin lies on the surface at that face: the root there is known,
+  /// is reported as t == 0 with the origin's error (in units of t), and is removed from the
+  /// equation before the others are computed.
   virtual void crossings(Ray const& ray, Start const* start, Crossings& out) const = 0;
   /// Is the point inside the solid? (false for patches)
   virtual bool inside(Vec3 const& point) const = 0;
@@ -97,8 +103,8 @@ struct Transform {
   bool identity() const;
 };
 
-/// A shape and where it stands: shapes are in canonical form (unit sphere, unit cube ...), what makes
-/// them this sphere or box is the placement.
+/// A shape and where it stands: shapes are in canonical form (unit sphere, unit cube ...), what
+/// makes them this sphere or box is the placement.
 struct PlacedShape {
   ShapePtr shape;
   Transform placement;

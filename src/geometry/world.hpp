@@ -14,8 +14,8 @@ using PrimitiveId = std::uint32_t;
 using SolidId = std::uint32_t;
 
 /// Boolean tree over primitives. `Clip`: the first child, shown only inside all the others, without
-/// caps. `Merge` is the regularised union (a POV-Ray union that must keep its inner faces is several
-/// solids, or is distributed over by the caller).
+/// caps. `Merge` is the regularised union (a POV-Ray union that must keep its inner faces is
+/// several solids, or is distributed over by the caller).
 struct CsgTree {
   enum class Op : std::uint8_t { Primitive, Merge, Intersection, Difference, Clip };
   Op op = Op::Primitive;
@@ -28,7 +28,8 @@ struct CsgTree {
 struct Visibility {
   std::uint8_t mask = 0xff;
 };
-inline constexpr std::uint8_t visible_to_camera = 1, visible_to_reflection = 2, visible_to_shadow = 4;
+inline constexpr std::uint8_t visible_to_camera = 1, visible_to_reflection = 2,
+                              visible_to_shadow = 4;
 
 /// One solid's surface, passed at a place where a ray goes through.
 struct SurfaceCrossing {
@@ -88,8 +89,8 @@ public:
 
   static ScratchPtr make_scratch();
 
-  /// The first group of crossings with t > 0 (beyond the departure's own group), of solids with a bit
-  /// of `mask`. @return false when the ray meets nothing before t_max
+  /// The first group of crossings with t > 0 (beyond the departure's own group), of solids with a
+  /// bit of `mask`. @return false when the ray meets nothing before t_max
   bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
                HitGroup& out) const;
   /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?

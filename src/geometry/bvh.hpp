@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/shape.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// Bounding volume hierarchy over boxes, built top-down by binned surface area heuristic. The build
+/// depends on the boxes alone: the same tree on every machine and run.
+namespace abbe::geometry {
+
+struct BvhNode {
+  Vec3 low, high;
+  std::uint32_t first = 0; ///< leaf: first place in items; else the right child (left is the next)
+  std::uint32_t count = 0; ///< items of a leaf, 0 for an inner node
+};
+
+class Bvh {
+public:
+  Bvh() = default;
+  /// @param boxes finite and not empty; items are their indices
+  /// @param leaf_size items below which a node is not split
+  explicit Bvh(std::span<Bounds const> boxes, std::uint32_t leaf_size = 2);
+
+  std::vector<BvhNode> const& nodes() const { return nodes_; }
+  std::vector<std::uint32_t> const& items() const { return items_; }
+
+private:
+  std::vector<BvhNode> nodes_;
+  std::vector<std::uint32_t> items_;
+};
+
+/// Deepest tree that is built; below, items share a leaf.
+inline constexpr int max_bvh_depth = 64;
+
+/// A line against boxes: 1 / direction once, and the widening that makes the test conservative:
+/// each bound has three roundings (pbrt 6.8.2).
+struct BoxProbe {
+  Vec3 origin, inverse;
+  explicit BoxProbe(Ray const& ray) : origin(ray.origin), inverse(1.0 / ray.direction) {}
+
+  /// Where the line is in the box within [from, to]: the entry, or false.
+  template <class V>
+  bool enter(V const& low, V const& high, double from, double to, double& entry) const {
+    constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
+    for (int i = 0; i < 3; ++i) {
+      bool const rising = inverse[i] > 0;
+      double near = ((rising ? low[i] : high[i]) - origin[i]) * inverse[i];
+      double far = ((rising ? high[i] : low[i]) - origin[i]) * inverse[i];
+      near *= near < 0 ? wide : tight;
+      far *= far < 0 ? tight : wide;
+      if (near > from) from = near; // false for NaN: a line in the face's plane is not rejected
+      if (far < to) to = far;
+    }
+    entry = from;
+    return from <= to;
+  }
+};
+
+/// Calls visit(item) for the items whose box the line meets in [from, to], roughly front to back;
+/// `to` may shrink meanwhile. visit returns false to stop. Node: {low, high, first, count}.
+template <class Node, class Visit>
+void walk(std::span<Node const> nodes, std::span<std::uint32_t const> items, BoxProbe const& probe,
+          double from, double const& to, Visit&& visit) {
+  struct Waiting {
+    std::uint32_t node;
+    double entry;
+  };
+  std::array<Waiting, max_bvh_depth + 2> stack;
+  std::size_t waiting = 0;
+  double entry = 0;
+  if (nodes.empty() || !probe.enter(nodes[0].low, nodes[0].high, from, to, entry)) return;
+  stack[waiting++] = {0, entry};
+  while (waiting > 0) {
+    Waiting const top = stack[--waiting];
+    if (top.entry > to) continue;
+    Node const& node = nodes[top.node];
+    if (node.count > 0) {
+      for (std::uint32_t i = 0; i < node.count; ++i) {
+        if (!visit(items[node.first + i])) return;
+      }
+      continue;
+    }
+    Waiting left{top.node + 1, 0}, right{node.first, 0};
+    bool const at_left =
+        probe.enter(nodes[left.node].low, nodes[left.node].high, from, to, left.entry);
+    bool const at_right =
+        probe.enter(nodes[right.node].low, nodes[right.node].high, from, to, right.entry);
+    if (at_left && at_right) {
+      bool const left_first = left.entry <= right.entry;
+      stack[waiting++] = left_first ? right : left;
+      stack[waiting++] = left_first ? left : right;
+    } else if (at_left) {
+      stack[waiting++] = left;
+    } else if (at_right) {
+      stack[waiting++] = right;
+    }
+  }
+}
+
+} // namespace abbe::geometry

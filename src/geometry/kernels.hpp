@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/line.hpp"
+
+/// What a line shares with the simple convex shapes, in their canonical space, for any lane type.
+/// Error bounds are first order: (bound of the rounding of the implicit function f near the root)
+/// over its slope, times two. The constants 8 and 4 count the roundings of the expressions, rounded
+/// up.
+namespace abbe::geometry::kernels {
+
+/// Both roots of a s^2 + 2 b s + c = 0 in order, without cancellation; not ordered when a < 0.
+template <class L>
+struct Roots {
+  L low{}, high{}, root_of_discriminant{};
+};
+template <class L>
+Roots<L> roots(L const& a, L const& b, L const& c, L const& discriminant) {
+  L const zero(0.0);
+  L const root = lane::sqrt(lane::max(discriminant, zero));
+  L const q = -(b + lane::select(b < zero, -root, root));
+  L const first = q / a;
+  L const second = lane::select(q == zero, first, c / q);
+  return {lane::min(first, second), lane::max(first, second), root};
+}
+
+/// Half-space normal . p <= 0. @param face number of the plane
+template <class L>
+Slice<L> half_space(Line<L> const& line, lane::Vec<L> const& normal, L const& face) {
+  L const zero(0.0), far(infinity);
+  lane::Vec<L> const size = lane::abs(normal);
+  L const height = lane::dot(normal, line.origin);
+  L const speed = lane::dot(normal, line.direction);
+  L const t = -height / speed;
+  L const rounding = lane::dot(size, line.origin_rounding)
+                     + lane::abs(t) * lane::dot(size, line.direction_rounding)
+                     + L(gamma_bound(4))
+                           * (lane::dot(size, lane::abs(line.origin))
+                              + lane::abs(t) * lane::dot(size, lane::abs(line.direction)));
+  Root<L> const root{t, rounding / lane::abs(speed) + L(gamma_bound(2)) * lane::abs(t),
+                     lane::dot(size, line.slack) / lane::abs(speed)};
+  auto const inside = height <= zero;
+  auto const along = speed == zero; // no root: all of the line or nothing
+  L const in = lane::select(along, lane::select(inside, -far, far), -far);
+  L const out = lane::select(along, lane::select(inside, far, -far), far);
+  return {select(speed < zero, root, Root<L>{in, zero, zero}),
+          select(zero < speed, root, Root<L>{out, zero, zero}), face, face};
+}
+
+/// Slab -1 <= x <= 1 along one axis. Faces: `face` at -1, `face` + 1 at +1.
+template <class L>
+Slice<L> slab(L const& o, L const& d, L const& o_rounding, L const& d_rounding, L const& slack,
+              L const& face) {
+  L const zero(0.0), one(1.0), far(infinity);
+  L const speed = lane::abs(d);
+  auto const make = [&](L const& side) {
+    L const t = (side - o) / d;
+    L const rounding =
+        o_rounding + lane::abs(t) * d_rounding + L(gamma_bound(4)) * (one + lane::abs(o));
+    return Root<L>{t, rounding / speed + L(gamma_bound(2)) * lane::abs(t), slack / speed};
+  };
+  auto const rising = zero < d;
+  Root<L> const in = make(lane::select(rising, -one, one));
+  Root<L> const out = make(lane::select(rising, one, -one));
+  auto const along = d == zero;
+  auto const inside = lane::abs(o) <= one;
+  Root<L> const none_in{lane::select(inside, -far, far), zero, zero};
+  Root<L> const none_out{lane::select(inside, far, -far), zero, zero};
+  return {select(along, none_in, in), select(along, none_out, out),
+          face + lane::select(rising, zero, one), face + lane::select(rising, one, zero)};
+}
+
+/// Cube [-1, 1]^3. Faces: 0 -x, 1 +x, 2 -y, 3 +y, 4 -z, 5 +z.
+template <class L>
+Slice<L> cube(Line<L> const& l) {
+  Slice<L> const x = slab(l.origin.x, l.direction.x, l.origin_rounding.x, l.direction_rounding.x,
+                          l.slack.x, L(0.0));
+  Slice<L> const y = slab(l.origin.y, l.direction.y, l.origin_rounding.y, l.direction_rounding.y,
+                          l.slack.y, L(2.0));
+  Slice<L> const z = slab(l.origin.z, l.direction.z, l.origin_rounding.z, l.direction_rounding.z,
+                          l.slack.z, L(4.0));
+  return common(common(x, y), z);
+}
+
+/// Ball of radius 1 in the directions that `flat` leaves: (1, 1, 1) sphere, (1, 0, 1) cylinder
+/// along y. The discriminant is taken at the closest approach, as (1 - r)(1 + r).
+template <class L>
+Slice<L> ball(Line<L> line, lane::Vec<L> const& flat, L const& face) {
+  L const zero(0.0), one(1.0), far(infinity);
+  auto const flatten = [&](lane::Vec<L>& v) { v = {v.x * flat.x, v.y * flat.y, v.z * flat.z}; };
+  flatten(line.origin);
+  flatten(line.direction);
+  flatten(line.origin_rounding);
+  flatten(line.direction_rounding);
+  flatten(line.slack);
+  L const a = lane::dot(line.direction, line.direction);
+  auto const along = a == zero;
+  L const shift = lane::select(along, zero, -lane::dot(line.origin, line.direction) / a);
+  Approach<L> const near = approach(line, shift);
+  L const b = lane::dot(near.point, line.direction);
+  L const radius = lane::sqrt(lane::dot(near.point, near.point));
+  L const c = (radius - one) * (radius + one);
+  L const discriminant = b * b - a * c;
+  Roots<L> const s = roots(a, b, c, discriminant);
+  L const half = s.root_of_discriminant;
+  L const e =
+      lane::sum(near.rounding) + half / a * lane::sum(line.direction_rounding) + L(gamma_bound(8));
+  L const rounding = root_motion(e, half, a);
+  L const slack = root_motion(lane::sum(line.slack), half, a);
+  auto const make = [&](L const& step) {
+    L const t = near.t + step;
+    return Root<L>{t, rounding + L(gamma_bound(2)) * (lane::abs(t) + lane::abs(step)), slack};
+  };
+  auto const inside = c <= zero;
+  Root<L> const none_in{lane::select(lane::both(along, inside), -far, far), zero, zero};
+  Root<L> const none_out{lane::select(lane::both(along, inside), far, -far), zero, zero};
+  auto const hit = lane::both(lane::negate(along), zero <= discriminant);
+  return {select(hit, make(s.low), none_in), select(hit, make(s.high), none_out), face, face};
+}
+
+template <class L>
+Slice<L> sphere(Line<L> const& line) {
+  L const one(1.0);
+  return ball(line, {one, one, one}, L(0.0));
+}
+
+/// x^2 + z^2 <= 1, -1 <= y <= 1. Faces: 0 wall, 1 bottom, 2 top.
+template <class L>
+Slice<L> cylinder(Line<L> const& l) {
+  Slice<L> const lids = slab(l.origin.y, l.direction.y, l.origin_rounding.y, l.direction_rounding.y,
+                             l.slack.y, L(1.0));
+  return common(lids, ball(l, {L(1.0), L(0.0), L(1.0)}, L(0.0)));
+}
+
+/// sqrt(x^2 + z^2) <= middle + rate y, -1 <= y <= 1: the part of a cone on its own side of the
+/// apex. The larger of the two radii is 1. Faces: 0 wall, 1 bottom, 2 top.
+template <class L>
+Slice<L> cone(Line<L> const& line, L const& middle, L const& rate) {
+  L const zero(0.0), far(infinity);
+  L const length2 = lane::dot(line.direction, line.direction);
+  Approach<L> const near = approach(line, -lane::dot(line.origin, line.direction) / length2);
+  L const px = near.point.x, pz = near.point.z, vx = line.direction.x, vz = line.direction.z;
+  L const p = lane::sqrt(px * px + pz * pz), v = lane::sqrt(vx * vx + vz * vz);
+  L const r = middle + rate * near.point.y, w = rate * line.direction.y; // radius r + s w
+  L const a = (v - w) * (v + w), b = (px * vx + pz * vz) - r * w, c = (p - r) * (p + r);
+  L const discriminant = lane::difference_of_products(b, b, a, c);
+  Roots<L> const s = roots(a, b, c, discriminant);
+  L const half = s.root_of_discriminant;
+  auto const make = [&](L const& step) {
+    L const t = near.t + step, size = lane::abs(step), here = lane::abs(r + step * w);
+    L const reach = p + lane::abs(r) + size * (v + lane::abs(w));
+    lane::Vec<L> const moved = near.rounding + size * line.direction_rounding;
+    auto const across = [&](lane::Vec<L> const& m) {
+      return here * (m.x + m.z + lane::abs(rate) * m.y);
+    };
+    L const e = across(moved) + L(gamma_bound(8)) * reach * reach;
+    return Root<L>{t, root_motion(e, half, a) + L(gamma_bound(2)) * (lane::abs(t) + size),
+                   root_motion(across(line.slack), half, a)};
+  };
+  Root<L> const low = make(s.low), high = make(s.high);
+  Root<L> const line_start{-far, zero, zero}, line_end{far, zero, zero};
+  // a > 0: both roots on one side of the apex, and a slice between them when it is the right side.
+  // a < 0: one root on each side, the slice goes on from the right one for ever. a == 0: one root.
+  auto const crosswise = zero < a;
+  auto const between =
+      lane::both(zero <= discriminant, zero <= r + w * (L(0.5) * (s.low + s.high)));
+  Root<L> const single = make(-c / (b + b));
+  auto const flat = a == zero;
+  Root<L> const ahead = select(flat, single, high), behind = select(flat, single, low);
+  auto const widening = zero < w;
+  auto const straight = w == zero; // with a <= 0: along the axis of a cylinder
+  L const all = lane::select(c <= zero, -far, far);
+  Root<L> in = select(widening, ahead, select(straight, Root<L>{all, zero, zero}, line_start));
+  Root<L> out = select(widening, line_end, select(straight, Root<L>{-all, zero, zero}, behind));
+  in = select(crosswise, select(between, low, line_end), in);
+  out = select(crosswise, select(between, high, line_start), out);
+  Slice<L> const lids = slab(line.origin.y, line.direction.y, line.origin_rounding.y,
+                             line.direction_rounding.y, line.slack.y, L(1.0));
+  return common(lids, Slice<L>{in, out, zero, zero});
+}
+
+/// Both roots of a x^2 + ... = 0 for a general quadric; `between`: the inside is between the roots.
+template <class L>
+struct QuadricRoots {
+  Root<L> low, high;
+  L leading{}; ///< > 0: inside between the roots; < 0: outside between them; 0: one root, `low`
+  L slope{};   ///< sign of the derivative at the only root when leading == 0
+  L exists{};  ///< 1 or 0
+};
+/// f = A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J.
+template <class L>
+QuadricRoots<L> quadric(Line<L> const& line, L const (&k)[10]) {
+  L const zero(0.0), half(0.5), two(2.0);
+  lane::Vec<L> const& d = line.direction;
+  L const length2 = lane::dot(d, d);
+  Approach<L> const near = approach(line, -lane::dot(line.origin, d) / length2);
+  lane::Vec<L> const& p = near.point;
+  auto const square = [&](lane::Vec<L> const& v) {
+    return k[0] * (v.x * v.x) + k[1] * (v.y * v.y) + k[2] * (v.z * v.z) + k[3] * (v.x * v.y)
+           + k[4] * (v.x * v.z) + k[5] * (v.y * v.z);
+  };
+  auto const square_size = [&](lane::Vec<L> const& v) {
+    return lane::abs(k[0] * (v.x * v.x)) + lane::abs(k[1] * (v.y * v.y))
+           + lane::abs(k[2] * (v.z * v.z)) + lane::abs(k[3] * (v.x * v.y))
+           + lane::abs(k[4] * (v.x * v.z)) + lane::abs(k[5] * (v.y * v.z));
+  };
+  auto const slope = [&](lane::Vec<L> const& v) {
+    return lane::Vec<L>{two * (k[0] * v.x) + k[3] * v.y + k[4] * v.z + k[6],
+                        two * (k[1] * v.y) + k[3] * v.x + k[5] * v.z + k[7],
+                        two * (k[2] * v.z) + k[4] * v.x + k[5] * v.y + k[8]};
+  };
+  L const a = square(d);
+  L const b = half * lane::dot(slope(p), d);
+  L const c = square(p) + (k[6] * p.x + k[7] * p.y + k[8] * p.z) + k[9];
+  L const discriminant = lane::difference_of_products(b, b, a, c);
+  Roots<L> const s = roots(a, b, c, discriminant);
+  auto const make = [&](L const& step) {
+    lane::Vec<L> const q = p + step * d;
+    L const t = near.t + step, size = lane::abs(step);
+    lane::Vec<L> const g = lane::abs(slope(q));
+    lane::Vec<L> const moved = near.rounding + size * line.direction_rounding;
+    L const rounding = L(gamma_bound(12))
+                       * (square_size(p) + size * size * square_size(d) + lane::abs(k[6] * p.x)
+                          + lane::abs(k[7] * p.y) + lane::abs(k[8] * p.z) + lane::abs(k[9])
+                          + size * lane::dot(lane::abs(slope(p)), lane::abs(d)));
+    L const e = half * (lane::dot(g, moved) + rounding);
+    return Root<L>{
+        t, root_motion(e, s.root_of_discriminant, a) + L(gamma_bound(2)) * (lane::abs(t) + size),
+        root_motion(half * lane::dot(g, line.slack), s.root_of_discriminant, a)};
+  };
+  auto const linear = a == zero;
+  auto const any = lane::both(zero <= discriminant, lane::negate(both(linear, b == zero)));
+  return {make(lane::select(linear, -c / (b + b), s.low)), make(s.high), a, b,
+          lane::select(any, L(1.0), zero)};
+}
+
+} // namespace abbe::geometry::kernels

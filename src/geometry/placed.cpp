@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/placed.hpp"
+
+#include <cmath>
+
+namespace abbe::geometry {
+
+Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0) {
+  Mat3 const& m = source_.placement.inverse_linear;
+  for (int row = 0; row < 3; ++row) {
+    int entries = 0;
+    double largest = 0;
+    for (int column = 0; column < 3; ++column) {
+      double const entry = std::fabs(m[column][row]);
+      entries += entry != 0 ? 1 : 0;
+      largest = std::fmax(largest, entry);
+    }
+    for (int column = 0; column < 3; ++column) {
+      bool const none = entries == 1 && m[column][row] == 0;
+      size_[column][row] = none ? 0.0 : largest;
+    }
+  }
+}
+
+Ray Placed::to_object(Ray const& world) const {
+  constexpr double rounding = gamma_bound(16);
+  Transform const& at = source_.placement;
+  Vec3 const from_here = world.origin - at.offset;
+  Ray ray;
+  ray.origin = at.inverse_linear * from_here;
+  ray.direction = at.inverse_linear * world.direction;
+  ray.origin_error = size_ * world.origin_error;
+  ray.origin_rounding = size_ * (rounding * (glm::abs(from_here) + glm::abs(at.offset)));
+  ray.direction_rounding = size_ * (rounding * glm::abs(world.direction));
+  return ray;
+}
+
+Vec3 Placed::to_object(Vec3 const& world_point) const {
+  return source_.placement.inverse_linear * (world_point - source_.placement.offset);
+}
+
+Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const {
+  Vec3 const point = to_object(world_point);
+  Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
+  // The direction only: scaled to the order of 1 first, so that no square overflows.
+  Vec3 const world = source_.placement.normal(n);
+  double const largest =
+      std::fmax(std::fabs(world.x), std::fmax(std::fabs(world.y), std::fabs(world.z)));
+  return glm::normalize(world / largest);
+}
+
+Bounds Placed::bounds() const {
+  Bounds const own = shape().bounds();
+  if (own.infinite || own.empty()) return own;
+  Transform const& at = source_.placement;
+  Mat3 const size(glm::abs(at.linear[0]), glm::abs(at.linear[1]), glm::abs(at.linear[2]));
+  Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
+  Vec3 const centre = at.point(middle);
+  Vec3 const reach = size * half;
+  Vec3 const wide =
+      reach + gamma_bound(64) * (size * glm::abs(middle) + reach + glm::abs(at.offset));
+  return {centre - wide, centre + wide, false};
+}
+
+} // namespace abbe::geometry

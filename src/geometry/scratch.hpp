@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/csg.hpp"
+#include "geometry/world.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace abbe::geometry {
+
+/// A crossing of a line with one operand of a solid.
+struct Event {
+  double t = 0;
+  double error = 0;
+  double slack = 0;
+  PrimitiveId primitive = 0;
+  std::uint32_t operand = 0;
+  std::uint32_t face = 0;
+  bool entering = false;
+  bool toggles = true;
+  bool visible = true;
+  bool at_start = false; ///< belongs to the group that the ray departs from
+};
+
+/// A crossing of a solid, and where its members (all events of its group) are in Scratch::members.
+struct Candidate {
+  SurfaceCrossing crossing;
+  double error = 0;
+  std::uint32_t first_member = 0;
+  std::uint32_t members = 0;
+};
+
+class Scratch {
+public:
+  Crossings crossings;
+  std::vector<Event> events;
+  std::vector<Candidate> candidates;
+  std::vector<Event> members;
+  /// Values of the boolean trees of the world `owner`, put back to "outside" after each use.
+  std::uint64_t owner = 0;
+  std::vector<CsgProgram::State> states;
+  struct Entered {
+    double t;
+    SolidId solid;
+  };
+  std::vector<Entered> entered;
+};
+
+} // namespace abbe::geometry

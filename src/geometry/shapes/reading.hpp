@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/parameters.hpp"
+#include "geometry/shape.hpp"
+
+#include <cmath>
+#include <string_view>
+
+/// Small checks that the readers of shapes share.
+namespace abbe::geometry {
+
+inline bool finite(Vec3 const& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+/// Not zero, not so small that its inverse overflows, not infinite.
+inline bool usable_size(double size) {
+  return std::isfinite(size) && size != 0.0 && std::isfinite(1.0 / size);
+}
+inline std::optional<PlacedShape> or_report(std::optional<PlacedShape> shape,
+                                            Parameters& parameters, std::string_view code,
+                                            std::string_view message) {
+  if (!shape) parameters.report(Severity::Error, code, message);
+  return shape;
+}
+
+/// Length without overflow or underflow of the squares.
+inline double vector_length(Vec3 const& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+/// v / |v|, of the same bits when v is scaled by a power of two. @param v finite, not zero
+inline Vec3 unit_vector(Vec3 const& v) {
+  double const largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  Vec3 const even = v / std::exp2(std::ilogb(largest)); // a power of two: exact
+  return even / glm::length(even);
+}
+
+/// Turns +y to the direction of `axis` (not zero) and keeps lengths. Exact where axis is along x, y
+/// or z. Which way x and z turn is unspecified: only for bodies of revolution about y.
+inline Transform y_to(Vec3 const& axis) {
+  Vec3 const y = unit_vector(axis);
+  Vec3 const size = glm::abs(y);
+  // The coordinate axis that is furthest from y spans a plane with it in the most stable way.
+  Vec3 const other = size.x <= size.y && size.x <= size.z
+                         ? Vec3(1, 0, 0)
+                         : (size.z <= size.y ? Vec3(0, 0, 1) : Vec3(0, 1, 0));
+  Vec3 const z = glm::normalize(glm::cross(other, y));
+  Transform result;
+  result.linear = Mat3(glm::cross(y, z), y, z);
+  result.inverse_linear = glm::transpose(result.linear);
+  return result;
+}
+
+} // namespace abbe::geometry

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/parameters.hpp"
+#include "geometry/kernels.hpp"
+#include "geometry/shapes/convex.hpp"
+
+namespace abbe::geometry {
+
+/** @scene sphere { <centre>, radius }
+A ball. A negative radius is as good as a positive one.
+
+| name | type | unit | default | range |
+|---|---|---|---|---|
+| centre | vector | length | - | any |
+| radius | number | length | - | not 0 |
+
+    sphere { <0, 1, 0>, 1 }
+*/
+/// Canonical form: radius 1 about the origin. One face, 0.
+class Sphere final : public ConvexShape<Sphere> {
+public:
+  template <class L>
+  Slice<L> slice(Line<L> const& line) const {
+    return kernels::sphere(line);
+  }
+  bool visible(std::uint32_t) const { return true; }
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override;
+};
+
+std::optional<PlacedShape> make_sphere(Vec3 const& centre, double radius);
+std::optional<PlacedShape> read_sphere(Parameters& parameters);
+
+} // namespace abbe::geometry

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/traced_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe::geometry {
+
+namespace {
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
+/// Operands from which on a hierarchy pays.
+constexpr std::size_t many_operands = 8;
+
+Bounds all_space() {
+  Bounds bounds;
+  bounds.infinite = true;
+  return bounds;
+}
+Bounds overlap(Bounds const& a, Bounds const& b) {
+  if (a.infinite) return b;
+  if (b.infinite) return a;
+  return {glm::max(a.low, b.low), glm::min(a.high, b.high), false};
+}
+Bounds hull(Bounds const& a, Bounds const& b) {
+  if (a.infinite || b.infinite) return all_space();
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high), false};
+}
+
+} // namespace
+
+Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
+  if (tree.inverse) return all_space();
+  if (tree.op == CsgTree::Op::Primitive) return primitives[tree.primitive].bounds();
+  Bounds result;
+  bool first = true;
+  for (CsgTree const& child : tree.children) {
+    bool const outside_counts = tree.op == CsgTree::Op::Difference && !first;
+    if (outside_counts) break;
+    Bounds const bounds = bounds_of(child, primitives);
+    if (first) {
+      result = bounds;
+    } else {
+      result = tree.op == CsgTree::Op::Merge ? hull(result, bounds) : overlap(result, bounds);
+    }
+    first = false;
+  }
+  return result;
+}
+
+TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives,
+                         SolidId id)
+    : id_(id), mask_(source.mask), bounds_(bounds_of(source.tree, primitives)) {
+  if (source.tree.op == CsgTree::Op::Primitive) {
+    only_ = source.tree.primitive;
+    inverse_ = source.tree.inverse;
+    return;
+  }
+  program_ = std::make_unique<CsgProgram const>(source.tree);
+  auto const& operands = program_->operands();
+  bool const many = operands.size() > many_operands;
+  std::vector<Bounds> boxes;
+  for (std::uint32_t i = 0; i < operands.size(); ++i) {
+    Bounds const bounds = primitives[operands[i]].bounds();
+    if (!many || bounds.infinite) {
+      always_.push_back(i);
+    } else if (!bounds.empty()) {
+      finite_.push_back(i);
+      boxes.push_back(bounds);
+    }
+  }
+  operand_bvh_ = Bvh(boxes);
+}
+
+void TracedSolid::gather(Query const& query, PrimitiveId primitive, std::uint32_t operand,
+                         bool hidden) const {
+  Placed const& placed = query.primitives[primitive];
+  Crossings& crossings = query.scratch.crossings;
+  crossings.clear();
+  Start start;
+  bool starts = false;
+  if (query.from != nullptr) {
+    // Members are in the order of the arriving ray: what goes through leaves from the last face of
+    // the primitive, what comes back from the first.
+    for (Departure::On const& on : query.from->on) {
+      if (on.primitive != primitive) continue;
+      if (starts && !query.from->through) break;
+      start = {on.face, on.was_entering == query.from->through};
+      starts = true;
+    }
+  }
+  placed.shape().crossings(placed.to_object(query.ray), starts ? &start : nullptr, crossings);
+  for (Crossing const& c : crossings) {
+    bool const at_start =
+        starts ? c.t == 0 : (query.from != nullptr && std::fabs(c.t) <= c.error + c.slack);
+    query.scratch.events.push_back({c.t, c.error, c.slack, primitive, operand, c.face, c.entering,
+                                    c.toggles, c.visible && !hidden, at_start});
+  }
+}
+
+void TracedSolid::gather_operands(Query const& query) const {
+  auto const& operands = program_->operands();
+  auto const take = [&](std::uint32_t operand) {
+    std::size_t const before = query.scratch.events.size();
+    gather(query, operands[operand], operand, program_->hidden(operand));
+    bool toggles = false;
+    for (std::size_t i = before; i < query.scratch.events.size(); ++i) {
+      toggles = toggles || query.scratch.events[i].toggles;
+    }
+    if (toggles) return;
+    // The line is inside or outside all along; a bounded shape is not inside a whole line.
+    Placed const& placed = query.primitives[operands[operand]];
+    if (placed.shape().solid() && placed.shape().bounds().infinite) {
+      program_->set(*query.state, operand,
+                    placed.shape().inside(placed.to_object(query.ray.origin)));
+    }
+  };
+  for (std::uint32_t const operand : always_) take(operand);
+  if (finite_.empty()) return;
+  double const to = everywhere;
+  walk(std::span<BvhNode const>(operand_bvh_.nodes()),
+       std::span<std::uint32_t const>(operand_bvh_.items()), BoxProbe(query.ray), -everywhere, to,
+       [&](std::uint32_t item) {
+         take(finite_[item]);
+         return true;
+       });
+}
+
+bool TracedSolid::patch_in_group(Query const& query, std::size_t first, std::size_t last,
+                                 Passage& passage) const {
+  Event const* shown = nullptr;
+  auto const& events = query.scratch.events;
+  for (std::size_t i = first; i < last; ++i) {
+    Event const& event = events[i];
+    if (event.toggles || !event.visible) continue;
+    if (shown != nullptr && shown->primitive <= event.primitive) continue;
+    if (program_->decides(*query.state, event.operand)) shown = &event;
+  }
+  if (shown == nullptr) return false;
+  passage.crossing = {id_, shown->primitive, shown->face, shown->t, shown->entering, false};
+  passage.error = shown->error;
+  passage.inside = query.state->value;
+  return true;
+}
+
+bool TracedSolid::apply_group(Query const& query, std::size_t first, std::size_t last,
+                              Passage& passage) const {
+  auto const& events = query.scratch.events;
+  CsgProgram::State& state = *query.state;
+  bool const before = state.value;
+  Event const* shown = nullptr;
+  auto const prefer = [&](Event const& event) {
+    bool const better =
+        shown == nullptr
+        || (event.visible != shown->visible ? event.visible : event.primitive < shown->primitive);
+    if (better) shown = &event;
+  };
+  bool const several = last - first > 1;
+  // Members that by themselves are enough.
+  for (std::size_t i = first; several && i < last; ++i) {
+    Event const& event = events[i];
+    bool const changes = event.toggles && (state.inside[event.operand] != 0) != event.entering;
+    if (changes && program_->decides(state, event.operand)) prefer(event);
+  }
+  for (std::size_t i = first; i < last; ++i) {
+    if (events[i].toggles) program_->set(state, events[i].operand, events[i].entering);
+  }
+  if (state.value == before) return patch_in_group(query, first, last, passage);
+  if (!several) shown = &events[first];
+  // Members without which nothing would have changed.
+  for (std::size_t i = first; several && i < last; ++i) {
+    Event const& event = events[i];
+    bool const final = event.toggles && (state.inside[event.operand] != 0) == event.entering;
+    if (final && program_->decides(state, event.operand)) prefer(event);
+  }
+  for (std::size_t i = first; shown == nullptr && i < last; ++i) {
+    if (events[i].toggles) prefer(events[i]);
+  }
+  passage.crossing = {id_, shown->primitive, shown->face, shown->t, state.value, true};
+  for (std::size_t i = first; i < last; ++i) {
+    passage.error = std::max(passage.error, std::fabs(events[i].t - shown->t) + events[i].error);
+  }
+  passage.visible = shown->visible;
+  passage.inside = state.value;
+  return true;
+}
+
+void TracedSolid::restore(Query const& query) const {
+  for (Event const& event : query.scratch.events) {
+    program_->set(*query.state, event.operand, false);
+  }
+  for (std::uint32_t const operand : always_) program_->set(*query.state, operand, false);
+}
+
+} // namespace abbe::geometry

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/bvh.hpp"
+#include "geometry/csg.hpp"
+#include "geometry/placed.hpp"
+#include "geometry/scratch.hpp"
+
+#include <algorithm>
+#include <memory>
+
+/// One solid and the surfaces that a line passes on it, by groups of events (docs/geometry.md):
+///
+/// 1. All crossings of the whole line with the operands, sorted. Each operand's state at t =
+/// -infinity
+///    follows from its first crossing (entering: outside before), or from inside(origin) without
+///    any.
+/// 2. What the ray departs from is applied, not reported: the starts themselves (t == 0), and
+/// crossings
+///    of other operands with |t| within error + slack. The other roots of a primitive that the ray
+///    starts on are never part of it: they are on the side that the departure says.
+/// 3. The rest falls into runs of overlapping error intervals [t - error, t + error]. A run of a
+/// single
+///    primitive is parted again: its own roots come out of one computation, so their order and
+///    their being distinct are certain (a thin sphere far away must not vanish). Any other run is
+///    one event: all its members change sides, then the boolean value is compared. Lids between
+///    coincident faces, A - A, A & A come out right, for both roots of each are in the run or none
+///    is.
+/// 4. Of the members whose own change explains the change (enough by itself before, or undoing it
+/// after
+///    undoes all), the surface shown is the visible one with the lowest primitive id: a property of
+///    the primitives, not of the order of operands.
+namespace abbe::geometry {
+
+class TracedSolid {
+public:
+  TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives, SolidId id);
+
+  std::uint8_t mask() const { return mask_; }
+  Bounds const& bounds() const { return bounds_; }
+  bool has_program() const { return program_ != nullptr; }
+  CsgProgram const* program() const { return program_.get(); }
+
+  /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
+  /// not visible) or a patch. Members are scratch.events[first, last).
+  struct Passage {
+    SurfaceCrossing crossing;
+    double error = 0;
+    bool visible = true;
+    bool inside = false; ///< of the solid, after it
+    std::size_t first = 0, last = 0;
+  };
+  struct Query {
+    std::vector<Placed> const& primitives;
+    Ray const& ray;
+    Departure const* from;
+    Scratch& scratch;
+    CsgProgram::State* state; ///< of this solid's program; left as found
+  };
+  /// Calls take(passage) for all passages with t > 0 beyond the departure, or, when `all`, for all
+  /// of the line; take returns false to stop. @return inside at the end of what was left out
+  template <class Take>
+  bool passages(Query const& query, bool all, Take&& take) const;
+
+private:
+  void gather(Query const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden) const;
+  template <class Take>
+  bool single(Query const& query, bool all, Take& take) const;
+  template <class Take>
+  bool boolean(Query const& query, bool all, Take& take) const;
+  void gather_operands(Query const& query) const;
+  bool apply_group(Query const& query, std::size_t first, std::size_t last, Passage& passage) const;
+  bool patch_in_group(Query const& query, std::size_t first, std::size_t last,
+                      Passage& passage) const;
+  void restore(Query const& query) const;
+
+  SolidId id_;
+  std::uint8_t mask_;
+  PrimitiveId only_ = 0; ///< without a program: the one primitive
+  bool inverse_ = false;
+  std::unique_ptr<CsgProgram const> program_;
+  Bounds bounds_;
+  Bvh operand_bvh_;                   ///< over finite operands when there are many
+  std::vector<std::uint32_t> finite_; ///< item of operand_bvh_ -> operand
+  std::vector<std::uint32_t> always_; ///< operands tested for each ray
+};
+
+/// Bounds of a boolean tree: an intersection lies in what its children have in common, a difference
+/// and a clipped solid in the first child.
+Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives);
+
+template <class Take>
+bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
+  query.scratch.events.clear();
+  return program_ ? boolean(query, all, take) : single(query, all, take);
+}
+
+template <class Take>
+bool TracedSolid::single(Query const& query, bool all, Take& take) const {
+  gather(query, only_, 0, false);
+  auto& events = query.scratch.events;
+  // Two crossings, in order, is what nearly every shape gives.
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    for (std::size_t j = i; j > 0 && events[j].t < events[j - 1].t; --j) {
+      std::swap(events[j], events[j - 1]);
+    }
+  }
+  bool inside = false;
+  if (all) {
+    Event const* first = nullptr;
+    for (Event const& event : events) {
+      if (event.toggles && first == nullptr) first = &event;
+    }
+    Placed const& placed = query.primitives[only_];
+    inside = (first != nullptr ? !first->entering
+                               : placed.shape().inside(placed.to_object(query.ray.origin)))
+             != inverse_;
+  }
+  bool const before = inside;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    Event const& event = events[i];
+    if (!all && (event.at_start || !(event.t > 0))) continue;
+    bool const entering = event.entering != inverse_;
+    if (event.toggles) inside = entering;
+    Passage const passage{{id_, only_, event.face, event.t, entering, event.toggles},
+                          event.error,
+                          event.visible,
+                          inside,
+                          i,
+                          i + 1};
+    if (!take(passage)) break;
+  }
+  return before;
+}
+
+template <class Take>
+bool TracedSolid::boolean(Query const& query, bool all, Take& take) const {
+  gather_operands(query);
+  auto& events = query.scratch.events;
+  std::sort(events.begin(), events.end(), [](Event const& a, Event const& b) {
+    if (a.t != b.t) return a.t < b.t;
+    if (a.operand != b.operand) return a.operand < b.operand;
+    return a.face < b.face;
+  });
+  // The state at -infinity: the last one written is that of the first crossing.
+  for (std::size_t i = events.size(); i-- > 0;) {
+    if (events[i].toggles) program_->set(*query.state, events[i].operand, !events[i].entering);
+  }
+  std::size_t next = 0;
+  if (!all) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      // Up to the start, and what one operand crosses before something of its own at the start.
+      bool before = events[i].at_start || !(events[i].t > 0);
+      for (std::size_t j = i + 1; !before && j < events.size(); ++j) {
+        before = events[j].at_start && events[j].operand == events[i].operand;
+      }
+      if (!before) continue;
+      if (events[i].toggles) program_->set(*query.state, events[i].operand, events[i].entering);
+      std::rotate(events.begin() + static_cast<std::ptrdiff_t>(next),
+                  events.begin() + static_cast<std::ptrdiff_t>(i),
+                  events.begin() + static_cast<std::ptrdiff_t>(i + 1));
+      ++next;
+    }
+  }
+  bool const before = query.state->value;
+  while (next < events.size()) {
+    std::size_t last = next + 1;
+    double end = events[next].t + events[next].error;
+    bool mixed = false;
+    while (last < events.size() && events[last].t - events[last].error <= end) {
+      mixed = mixed || events[last].primitive != events[next].primitive;
+      end = std::max(end, events[last].t + events[last].error);
+      ++last;
+    }
+    std::size_t const step = mixed ? last - next : 1;
+    for (; next < last; next += step) {
+      Passage passage;
+      passage.first = next;
+      passage.last = next + step;
+      if (!apply_group(query, next, next + step, passage)) continue;
+      passage.crossing.solid = id_;
+      if (!take(passage)) {
+        restore(query);
+        return before;
+      }
+    }
+  }
+  restore(query);
+  return before;
+}
+
+} // namespace abbe::geometry

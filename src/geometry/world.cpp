@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/world.hpp"
+
+#include "geometry/traced_solid.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace abbe::geometry {
+
+namespace {
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
+
+/// Tells one world's scratch from another's, nothing more.
+std::uint64_t next_world_number() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+} // namespace
+
+struct World::Impl {
+  std::uint64_t number = next_world_number();
+  std::vector<Placed> primitives;
+  std::vector<TracedSolid> solids;
+  std::vector<std::uint32_t> state_of; ///< solid -> place in Scratch::states
+  std::uint32_t states = 0;
+  std::vector<SolidId> infinite;
+  std::vector<SolidId> finite; ///< item of bvh -> solid
+  Bvh bvh;
+
+  void prepare(Scratch& scratch) const {
+    if (scratch.owner == number) return;
+    scratch.states.assign(states, {});
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      if (solids[i].has_program()) scratch.states[state_of[i]] = solids[i].program()->outside();
+    }
+    scratch.owner = number;
+  }
+  TracedSolid::Query query(SolidId id, Ray const& ray, Departure const* from,
+                           Scratch& scratch) const {
+    CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
+    return {primitives, ray, from, scratch, state};
+  }
+  /// visit(solid) for those that the line may meet in [low, high]; false stops.
+  template <class Visit>
+  void each_solid(Ray const& ray, double low, double const& high, Visit&& visit) const {
+    for (SolidId const id : infinite) {
+      if (!visit(id)) return;
+    }
+    walk(std::span<BvhNode const>(bvh.nodes()), std::span<std::uint32_t const>(bvh.items()),
+         BoxProbe(ray), low, high, [&](std::uint32_t item) { return visit(finite[item]); });
+  }
+};
+
+void ScratchDeleter::operator()(Scratch* scratch) const {
+  delete scratch;
+}
+ScratchPtr World::make_scratch() {
+  return ScratchPtr(new Scratch);
+}
+
+World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& impl = *impl_;
+  impl.primitives.reserve(primitives.size());
+  for (PlacedShape& placed : primitives) impl.primitives.emplace_back(std::move(placed));
+  impl.solids.reserve(solids.size());
+  std::vector<Bounds> boxes;
+  for (SolidId id = 0; id < solids.size(); ++id) {
+    impl.solids.emplace_back(solids[id], impl.primitives, id);
+    TracedSolid const& solid = impl.solids.back();
+    impl.state_of.push_back(solid.has_program() ? impl.states++ : 0);
+    if (solid.bounds().infinite) {
+      impl.infinite.push_back(id);
+    } else if (!solid.bounds().empty()) {
+      impl.finite.push_back(id);
+      boxes.push_back(solid.bounds());
+    }
+  }
+  impl.bvh = Bvh(boxes);
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+
+namespace {
+
+/// Candidates within the error of the nearest become the group.
+void settle(Ray const& ray, Scratch& scratch, std::size_t nearest, HitGroup& out) {
+  auto& candidates = scratch.candidates;
+  double const t = candidates[nearest].crossing.t;
+  double const end = t + candidates[nearest].error;
+  SolidId const first_solid = candidates[nearest].crossing.solid;
+  auto const near = [&](Candidate const& c) { return c.crossing.t - c.error <= end; };
+  bool const several = std::any_of(candidates.begin(), candidates.end(), [&](Candidate const& c) {
+    return c.crossing.solid != first_solid && near(c);
+  });
+  if (!several) {
+    // A solid's own events are distinct, however close.
+    candidates[0] = candidates[nearest];
+    candidates.resize(1);
+  } else {
+    std::erase_if(candidates, [&](Candidate const& c) { return !near(c); });
+    std::sort(candidates.begin(), candidates.end(), [](Candidate const& a, Candidate const& b) {
+      return a.crossing.solid != b.crossing.solid ? a.crossing.solid < b.crossing.solid
+                                                  : a.crossing.t < b.crossing.t;
+    });
+  }
+  out.clear();
+  out.t = t;
+  out.error = 0;
+  for (Candidate const& c : candidates) {
+    out.error = std::max(out.error, std::fabs(c.crossing.t - t) + c.error);
+    out.crossings.push_back(c.crossing);
+    for (std::uint32_t i = 0; i < c.members; ++i) {
+      Event const& event = scratch.members[c.first_member + i];
+      out.members.push_back({event.primitive, event.face, event.entering});
+    }
+  }
+  Vec3 const step = t * ray.direction;
+  out.point = ray.origin + step;
+  out.point_error =
+      glm::abs(ray.direction) * out.error + gamma_bound(2) * (glm::abs(step) + glm::abs(out.point));
+}
+
+} // namespace
+
+bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                    Scratch& scratch, HitGroup& out) const {
+  impl_->prepare(scratch);
+  scratch.candidates.clear();
+  scratch.members.clear();
+  double best = everywhere, best_end = t_max;
+  std::size_t nearest = 0;
+  impl_->each_solid(ray, 0.0, best_end, [&](SolidId id) {
+    TracedSolid const& solid = impl_->solids[id];
+    if ((solid.mask() & mask) == 0) return true;
+    solid.passages(
+        impl_->query(id, ray, from, scratch), false, [&](TracedSolid::Passage const& passage) {
+          SurfaceCrossing const& crossing = passage.crossing;
+          if (!(crossing.t < t_max) || crossing.t - passage.error > best_end) return false;
+          if (!passage.visible) return true;
+          if (crossing.t < best) {
+            best = crossing.t;
+            best_end = crossing.t + passage.error;
+            nearest = scratch.candidates.size();
+          }
+          auto const first = static_cast<std::uint32_t>(scratch.members.size());
+          auto const events = scratch.events.begin();
+          scratch.members.insert(scratch.members.end(),
+                                 events + static_cast<std::ptrdiff_t>(passage.first),
+                                 events + static_cast<std::ptrdiff_t>(passage.last));
+          scratch.candidates.push_back({crossing, passage.error, first,
+                                        static_cast<std::uint32_t>(passage.last - passage.first)});
+          return true;
+        });
+    return true;
+  });
+  if (scratch.candidates.empty()) return false;
+  settle(ray, scratch, nearest, out);
+  return true;
+}
+
+bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                     Scratch& scratch) const {
+  impl_->prepare(scratch);
+  bool found = false;
+  impl_->each_solid(ray, 0.0, t_max, [&](SolidId id) {
+    TracedSolid const& solid = impl_->solids[id];
+    if ((solid.mask() & mask) == 0) return true;
+    solid.passages(impl_->query(id, ray, from, scratch), false,
+                   [&](TracedSolid::Passage const& passage) {
+                     if (passage.crossing.t + passage.error >= t_max) return false;
+                     found = passage.visible;
+                     return !found;
+                   });
+    return !found;
+  });
+  return found;
+}
+
+void World::containing(Vec3 const& point, Scratch& scratch, std::vector<SolidId>& out) const {
+  impl_->prepare(scratch);
+  out.clear();
+  scratch.entered.clear();
+  // Along no axis, diagonal or edge that a scene is likely to have.
+  Ray const ray{point, Vec3(0.3713906763541037, 0.5570860145311556, 0.7427813527082074), Vec3(0)};
+  double const here = 0.0;
+  impl_->each_solid(ray, 0.0, here, [&](SolidId id) {
+    double entry = -everywhere;
+    bool any = false, inside = false;
+    bool const before = impl_->solids[id].passages(impl_->query(id, ray, nullptr, scratch), true,
+                                                   [&](TracedSolid::Passage const& passage) {
+                                                     if (passage.crossing.t > 0) return false;
+                                                     if (!passage.crossing.toggles) return true;
+                                                     any = true;
+                                                     inside = passage.inside;
+                                                     entry = passage.crossing.t;
+                                                     return true;
+                                                   });
+    if (any ? inside : before) scratch.entered.push_back({entry, id});
+    return true;
+  });
+  std::sort(scratch.entered.begin(), scratch.entered.end(),
+            [](Scratch::Entered const& a, Scratch::Entered const& b) {
+              return a.t != b.t ? a.t < b.t : a.solid < b.solid;
+            });
+  for (Scratch::Entered const& entered : scratch.entered) out.push_back(entered.solid);
+}
+
+Vec3 World::normal(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
+  return impl_->primitives[id].normal(face, point, false);
+}
+Vec3 World::geometric_normal(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
+  return impl_->primitives[id].normal(face, point, true);
+}
+bool World::inside(PrimitiveId id, Vec3 const& point) const {
+  Placed const& placed = impl_->primitives[id];
+  return placed.shape().inside(placed.to_object(point));
+}
+Bounds World::bounds(SolidId id) const {
+  return impl_->solids[id].bounds();
+}
+PlacedShape const& World::primitive(PrimitiveId id) const {
+  return impl_->primitives[id].source();
+}
+
+} // namespace abbe::geometry
