@@ -4,6 +4,7 @@
 #include "base/parameters.hpp"
 #include "base/vec.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -53,6 +54,11 @@ public:
     Vec3 rgb;
   };
   virtual std::span<DefaultEntry const> default_map() const; // black 0 -> white 1
+  /// Reads one of the pattern's own items (brick_size, mortar, form, metric, offset, solid,
+  /// agate_turb, control0 ...) when one is next. They may stand anywhere after the keyword, also
+  /// behind the items of a list, so ask again wherever a modifier may stand.
+  /// @return the pattern with that item; null when the next item is none of them
+  virtual std::shared_ptr<Pattern const> read_item(Parameters&) const { return nullptr; }
 };
 
 /// One step of the way from the surrounding space into the pattern's: an inverse affine transform.
@@ -69,7 +75,8 @@ struct PatternInstance {
   std::vector<Mapping> mappings;
 
   /// The value after frequency, phase and wave: what a map is looked up with. For list patterns the
-  /// item's number.
+  /// item's number, to be looked up among 0, 1 ...: a frequency, phase or wave that is written acts
+  /// on it too and leads in between (`checker ... sine_wave` is half of each, as in POV-Ray).
   double evaluate(Vec3 const& point) const;
 };
 

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "texture/patterns/crackle.hpp"
+
+#include "texture/lattice.hpp"
+#include "texture/noise_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace abbe::texture {
+namespace {
+
+struct Offset {
+  std::int8_t x, y, z;
+};
+
+/// The 81 cells around the middle one that can matter: -2..2 each, at most one of them at an end.
+/// The nearest first, so that the farther ones can mostly be passed over.
+constexpr std::array<Offset, 81> neighbours() {
+  std::array<Offset, 81> cells{};
+  std::size_t count = 0;
+  for (int square = 0; square <= 6; ++square)
+    for (int x = -2; x <= 2; ++x)
+      for (int y = -2; y <= 2; ++y)
+        for (int z = -2; z <= 2; ++z) {
+          int const ends = (x * x == 4) + (y * y == 4) + (z * z == 4);
+          if (ends > 1 || x * x + y * y + z * z != square) continue;
+          cells[count++] = {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y),
+                            static_cast<std::int8_t>(z)};
+        }
+  return cells;
+}
+
+class Crackle final : public Pattern {
+public:
+  double raw(Vec3 const& p, PatternModifiers const& modifiers) const override {
+    Nearest const nearest = find(p);
+    if (solid_) return noise(nearest.point, modifiers.noise_generator);
+    double value = 0;
+    for (int i = 0; i < 3; ++i) value += form_[i] * root(nearest.power[i]);
+    return std::clamp(value, 0.0, 1.0);
+  }
+  std::shared_ptr<Pattern const> read_item(Parameters& in) const override;
+
+private:
+  struct Nearest {
+    std::array<double, 3> power{}; ///< |d|^m + offset^m of the nearest three, ascending
+    Vec3 point{0};                 ///< the nearest
+  };
+  Nearest find(Vec3 const& p) const;
+
+  double power(double difference) const {
+    return metric_ == 2 ? difference * difference : std::pow(std::abs(difference), metric_);
+  }
+  double root(double sum) const {
+    return metric_ == 2 ? std::sqrt(sum) : std::pow(sum, 1 / metric_);
+  }
+  /// Of the gap between the point's place in its own cell and the cell k cells away.
+  double gap_power(double place, int k) const {
+    if (k == 0) return 0;
+    return power(k > 0 ? k - place : place - (k + 1));
+  }
+
+  Vec3 form_{-1, 1, 0};
+  double metric_ = 2;
+  double offset_ = 0;
+  bool solid_ = false;
+};
+
+Crackle::Nearest Crackle::find(Vec3 const& p) const {
+  static constexpr auto cells = neighbours();
+  NoiseTables const& tables = noise_tables();
+  CellRandoms const& randoms = cell_randoms();
+  Vec3 const cell = glm::floor(p - cell_tolerance);
+  Vec3 const place = p - cell;
+  std::array<std::array<double, 3>, 5> gap;
+  for (int k = -2; k <= 2; ++k)
+    for (int axis = 0; axis < 3; ++axis) gap[k + 2][axis] = gap_power(place[axis], k);
+
+  Nearest nearest;
+  nearest.power.fill(std::numeric_limits<double>::infinity());
+  auto& best = nearest.power;
+  for (Offset const& d : cells) {
+    if (gap[d.x + 2][0] + gap[d.y + 2][1] + gap[d.z + 2][2] > best[2]) continue;
+    Vec3 const corner = cell + Vec3(d.x, d.y, d.z);
+    int const hash = tables.cell_hash(wrapped_floor(corner.x, 4095), wrapped_floor(corner.y, 4095),
+                                      wrapped_floor(corner.z, 4095));
+    Vec3 const point =
+        corner + Vec3(randoms.value[hash], randoms.value[hash + 1], randoms.value[hash + 2]);
+    double const distance = power(p.x - point.x) + power(p.y - point.y) + power(p.z - point.z);
+    if (distance < best[0]) {
+      best = {distance, best[0], best[1]};
+      nearest.point = point;
+    } else if (distance < best[1]) {
+      best = {best[0], distance, best[1]};
+    } else if (distance < best[2]) {
+      best[2] = distance;
+    }
+  }
+  for (double& sum : best) sum += power(offset_);
+  return nearest;
+}
+
+std::shared_ptr<Pattern const> Crackle::read_item(Parameters& in) const {
+  auto changed = std::make_shared<Crackle>(*this);
+  Span const span = in.next_span();
+  if (in.accept("form")) {
+    changed->form_ = in.vec3("form");
+  } else if (in.accept("metric")) {
+    changed->metric_ = in.number("metric");
+    if (!(changed->metric_ > 0)) {
+      in.report(Severity::Error, "E0354", "the metric of crackle must be positive", span);
+      changed->metric_ = metric_;
+    }
+  } else if (in.accept("offset")) {
+    changed->offset_ = in.number("offset");
+    if (!(changed->offset_ >= 0)) {
+      in.report(Severity::Error, "E0354", "the offset of crackle must not be negative", span);
+      changed->offset_ = offset_;
+    }
+  } else if (std::optional<bool> const solid = in.flag("solid")) {
+    changed->solid_ = *solid;
+  } else {
+    return nullptr;
+  }
+  return changed;
+}
+
+} // namespace
+
+std::shared_ptr<Pattern const> read_crackle(Parameters&) {
+  return std::make_shared<Crackle>();
+}
+
+} // namespace abbe::texture

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "texture/pattern.hpp"
+
+namespace abbe::texture {
+
+/// What a pattern without items of its own consists of.
+struct Formula {
+  double (*raw)(Vec3 const&, PatternModifiers const&);
+  double default_frequency = 1;
+  Wave default_wave = Wave::Ramp;
+  bool uses_turbulence_itself = false;
+  std::span<Pattern::DefaultEntry const> map{}; ///< empty: black to white
+};
+
+/// A pattern that is nothing but a formula of the point (and the modifiers).
+class FormulaPattern final : public Pattern {
+public:
+  explicit FormulaPattern(Formula const& formula) : formula_(formula) {}
+
+  double raw(Vec3 const& point, PatternModifiers const& modifiers) const override {
+    return formula_.raw(point, modifiers);
+  }
+  double default_frequency() const override { return formula_.default_frequency; }
+  Wave default_wave() const override { return formula_.default_wave; }
+  bool uses_turbulence_itself() const override { return formula_.uses_turbulence_itself; }
+  std::span<DefaultEntry const> default_map() const override {
+    return formula_.map.empty() ? Pattern::default_map() : formula_.map;
+  }
+
+private:
+  Formula formula_;
+};
+
+inline std::shared_ptr<Pattern const> make_formula(Formula const& formula) {
+  return std::make_shared<FormulaPattern>(formula);
+}
+
+} // namespace abbe::texture

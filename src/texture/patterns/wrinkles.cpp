@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "texture/patterns/wrinkles.hpp"
+
+#include "texture/patterns/formula.hpp"
+
+#include <algorithm>
+
+namespace abbe::texture {
+namespace {
+
+double wrinkles(Vec3 const& p, PatternModifiers const& modifiers) {
+  int const generator = modifiers.noise_generator;
+  double sum = 0;
+  double scale = 1;
+  for (int k = 0; k < 10; ++k, scale *= 2) {
+    double const n = noise(p * scale, generator);
+    sum += (generator == 1 ? n : std::clamp(2 * n - 0.5, 0.0, 1.0)) / scale;
+  }
+  return sum / 2;
+}
+
+} // namespace
+
+std::shared_ptr<Pattern const> read_wrinkles(Parameters&) {
+  return make_formula({.raw = wrinkles});
+}
+
+} // namespace abbe::texture
