@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The subcommands of `abbe`. Each gets its own name as argv[0] and its arguments after it, prints
+/// to standard output (results) and standard error (messages), and returns the exit status:
+/// 0 done, 1 the input is wrong, 2 the command line is wrong, 3 a file could not be read or
+/// written.
+namespace abbe::cli {
+
+int run_compare(int argc, char** argv);
+int run_tonemap(int argc, char** argv);
+
+} // namespace abbe::cli
