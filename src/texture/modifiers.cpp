@@ -27,7 +27,7 @@ int read_octaves(Parameters& in) {
       in.integer("octaves", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   int const octaves = std::clamp(wanted, 1, 10);
   if (octaves != wanted)
-    in.report(Severity::Warning, "E0353",
+    in.report(Severity::Warning, "E0383",
               "octaves are limited to 1..10; " + std::to_string(octaves) + " is used", span);
   return octaves;
 }

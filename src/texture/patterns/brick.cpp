@@ -33,13 +33,13 @@ public:
     if (in.accept("brick_size")) {
       changed->size_ = in.vec3("brick size");
       if (!(changed->size_.x > 0 && changed->size_.y > 0 && changed->size_.z > 0)) {
-        in.report(Severity::Error, "E0352", "every component of brick_size must be positive", span);
+        in.report(Severity::Error, "E0382", "every component of brick_size must be positive", span);
         changed->size_ = size_;
       }
     } else if (in.accept("mortar")) {
       changed->mortar_ = in.number("mortar width");
       if (!(changed->mortar_ >= 0)) {
-        in.report(Severity::Error, "E0352", "the mortar's width must not be negative", span);
+        in.report(Severity::Error, "E0382", "the mortar's width must not be negative", span);
         changed->mortar_ = mortar_;
       }
     } else {

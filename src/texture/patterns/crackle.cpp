@@ -111,13 +111,13 @@ std::shared_ptr<Pattern const> Crackle::read_item(Parameters& in) const {
   } else if (in.accept("metric")) {
     changed->metric_ = in.number("metric");
     if (!(changed->metric_ > 0)) {
-      in.report(Severity::Error, "E0354", "the metric of crackle must be positive", span);
+      in.report(Severity::Error, "E0384", "the metric of crackle must be positive", span);
       changed->metric_ = metric_;
     }
   } else if (in.accept("offset")) {
     changed->offset_ = in.number("offset");
     if (!(changed->offset_ >= 0)) {
-      in.report(Severity::Error, "E0354", "the offset of crackle must not be negative", span);
+      in.report(Severity::Error, "E0384", "the offset of crackle must not be negative", span);
       changed->offset_ = offset_;
     }
   } else if (std::optional<bool> const solid = in.flag("solid")) {

@@ -28,7 +28,7 @@ std::shared_ptr<Pattern const> read_gradient(Parameters& in) {
   double const largest =
       std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (!(largest > 0)) {
-    in.report(Severity::Error, "E0351", "the direction of a gradient must not be the zero vector",
+    in.report(Severity::Error, "E0381", "the direction of a gradient must not be the zero vector",
               span);
     return std::make_shared<Gradient>(Vec3(1, 0, 0));
   }

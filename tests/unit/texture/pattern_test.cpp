@@ -144,10 +144,10 @@ TEST(PatternErrors, AreReportedAndAHarmlessPatternIsReturned) {
     char const* text;
     char const* report;
   } const rows[] = {
-      {"gradient 0", "error E0351"},        {"brick brick_size <1,0,1>", "error E0352"},
-      {"brick mortar -1", "error E0352"},   {"crackle metric 0", "error E0354"},
-      {"crackle offset -1", "error E0354"}, {"bozo octaves 0", "warning E0353"},
-      {"bozo octaves 11", "warning E0353"}, {"bozo noise_generator 4", "error E0300"},
+      {"gradient 0", "error E0381"},        {"brick brick_size <1,0,1>", "error E0382"},
+      {"brick mortar -1", "error E0382"},   {"crackle metric 0", "error E0384"},
+      {"crackle offset -1", "error E0384"}, {"bozo octaves 0", "warning E0383"},
+      {"bozo octaves 11", "warning E0383"}, {"bozo noise_generator 4", "error E0300"},
   };
   for (auto const& row : rows) {
     WordParameters in(row.text);
