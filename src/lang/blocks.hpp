@@ -3,6 +3,7 @@
 
 #include "base/result.hpp"
 #include "lang/reader.hpp"
+#include "optics/data_library.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -13,7 +14,7 @@
 #include <vector>
 
 namespace abbe::optics {
-class GlassCatalogue;
+class Bands;
 }
 
 /// Readers of blocks: what the words of the language mean. Each takes the content of an opened
@@ -33,6 +34,7 @@ struct SceneState {
   std::vector<std::shared_ptr<optics::Glass const>> file_glasses;
   /// Entries of the catalogue that were named, so that each is parsed once.
   std::map<std::string, std::shared_ptr<optics::Glass const>, std::less<>> named_glasses;
+  std::optional<optics::DataLibrary> glass_library, spectra_library; ///< once something is named
 };
 
 // ------------------------------------------------- what block readers ask of the interpreter
@@ -88,6 +90,8 @@ void place_object(scene::Object, SceneState&);
 // transform.cpp
 /// Takes translate, rotate, scale, matrix, transform when one is next and appends it.
 bool read_transform(Reader&, geometry::Transform&);
+/// The content of `transform { ... }`.
+geometry::Transform read_transform_block(Reader&);
 // colour.cpp
 /// A colour in a slot that can only be one: color/rgb.../red..., identifiers, bare numbers,
 /// spectrum.
@@ -97,6 +101,10 @@ scene::Colour read_rgb(Reader&, std::string_view name);
 /// A colour where a bare vector is not allowed: nullopt when no colour word or name is next.
 /// A number that is no colour is reported and read as one.
 std::optional<scene::Colour> accept_colour(Reader&);
+/// Is a colour next (a colour word, a number, a spectrum or its name)?
+bool starts_colour(Reader&);
+/// The `filter e`, `red e` ... that may follow the start of a colour.
+scene::Colour read_colour_parts(Reader&, scene::Colour start);
 // pigment.cpp, color_map.cpp, finish.cpp, texture.cpp, material.cpp
 void read_pigment(Reader&, scene::Pigment&);
 void transform_pigment(scene::Pigment&, geometry::Transform const&);
@@ -114,11 +122,15 @@ std::shared_ptr<optics::Glass const> read_glass(Reader&);
 /// `"N-BK7"`, `"SCHOTT/N-BK7"`: out of the AGF files read and the catalogue. Reports unknown names
 /// (E0410, with the nearest) and ambiguous ones (E0411, with the makers) and returns null.
 std::shared_ptr<optics::Glass const> named_glass(Reader&, std::string const& name, Span);
+/// What follows `glass_catalog`: reads an AGF file and makes its glasses nameable.
+void read_glass_catalog(Reader&);
 // light.cpp, camera.cpp, settings.cpp, sky.cpp
 scene::Light read_light(Reader&);
 void transform_light(scene::Light&, geometry::Transform const&);
 scene::Camera read_camera(Reader&);
 void read_global_settings(Reader&, scene::Settings&);
+/// The bands that a `spectral` block asks for. @error E0416
+Result<optics::Bands> make_bands(scene::SpectralSettings const&);
 scene::SkySphere read_sky_sphere(Reader&);
 
 // unsupported.cpp

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/registry.hpp"
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace abbe::lang {
+
+namespace {
+
+template <class T>
+Value shared(T value, Span span) {
+  return Value{std::make_shared<T const>(std::move(value)), span};
+}
+
+SceneState& state_of(Reader& in) {
+  return scene_state(in.interpreter());
+}
+
+// ------------------------------------------------------------------------------- reading values
+
+Value object_value(Reader& in, std::string_view head) {
+  Span const span = in.block_span();
+  return shared(read_object(in, head), span);
+}
+Value light_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_light(in), span);
+}
+Value camera_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_camera(in), span);
+}
+Value sky_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_sky_sphere(in), span);
+}
+Value pigment_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  scene::Pigment pigment = state_of(in).default_texture.pigment;
+  read_pigment(in, pigment);
+  return shared(std::move(pigment), span);
+}
+Value finish_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  scene::Finish finish = state_of(in).default_texture.finish;
+  read_finish(in, finish);
+  return shared(std::move(finish), span);
+}
+Value texture_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  scene::Layers layers;
+  read_texture(in, layers);
+  return shared(std::move(layers), span);
+}
+Value interior_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  scene::Interior interior;
+  read_interior(in, interior);
+  return shared(std::move(interior), span);
+}
+Value material_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_material(in), span);
+}
+Value transform_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_transform_block(in), span);
+}
+Value color_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(MapValue{read_color_map(in)}, span);
+}
+Value pigment_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(MapValue{read_pigment_map(in)}, span);
+}
+/// A spectrum is a colour: it can be scaled and stand wherever a colour may.
+Value spectrum_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return Value{scene::Colour{Vec3(1), 0, 0, read_spectrum(in)}, span};
+}
+/// A glass that could not be made was reported: it stands for nothing, silently.
+Value glass_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return Value{read_glass(in), span};
+}
+Value settings_value(Reader& in, std::string_view) {
+  read_global_settings(in, state_of(in).scene.settings);
+  return {};
+}
+Value background_value(Reader& in, std::string_view) {
+  state_of(in).scene.background = read_colour(in, "the background");
+  while (!in.at_end()) reject(in, "background {}");
+  return {};
+}
+
+// -------------------------------------------------------------------------- placing into the scene
+
+template <class T>
+T const& held(Value const& value) {
+  return **std::get_if<std::shared_ptr<T const>>(&value.any);
+}
+
+void place_object_value(Value&& value, Reader& in) {
+  place_object(held<scene::Object>(value), state_of(in));
+}
+void place_light(Value&& value, Reader& in) {
+  state_of(in).scene.lights.push_back(held<scene::Light>(value));
+}
+void place_camera(Value&& value, Reader& in) {
+  SceneState& state = state_of(in);
+  if (state.cameras++ > 0)
+    in.report(Severity::Warning, "E0254", "more than one camera: the last one is used",
+              value.declared_at);
+  state.scene.camera = held<scene::Camera>(value);
+}
+void place_sky(Value&& value, Reader& in) {
+  state_of(in).scene.sky_sphere = held<scene::SkySphere>(value);
+}
+void place_nothing(Value&&, Reader&) {}
+
+constexpr BlockKind kinds_without_shapes[] = {
+    {"background", background_value, place_nothing},
+    {"camera", camera_value, place_camera},
+    {"color_map", color_map_value, nullptr},
+    {"colour_map", color_map_value, nullptr},
+    {"composite", object_value, place_object_value},
+    {"difference", object_value, place_object_value},
+    {"finish", finish_value, nullptr},
+    {"glass", glass_value, nullptr},
+    {"global_settings", settings_value, place_nothing},
+    {"interior", interior_value, nullptr},
+    {"intersection", object_value, place_object_value},
+    {"light_source", light_value, place_light},
+    {"material", material_value, nullptr},
+    {"merge", object_value, place_object_value},
+    {"object", object_value, place_object_value},
+    {"pigment", pigment_value, nullptr},
+    {"pigment_map", pigment_map_value, nullptr},
+    {"sky_sphere", sky_value, place_sky},
+    {"spectrum", spectrum_value, nullptr},
+    {"texture", texture_value, nullptr},
+    {"transform", transform_value, nullptr},
+    {"union", object_value, place_object_value},
+};
+
+std::vector<BlockKind> const& all_kinds() {
+  static std::vector<BlockKind> const kinds = [] {
+    std::vector<BlockKind> all(std::begin(kinds_without_shapes), std::end(kinds_without_shapes));
+    for (auto const& shape : geometry::shape_kinds())
+      all.push_back({shape.keyword, object_value, place_object_value});
+    std::ranges::sort(all, {}, &BlockKind::head);
+    return all;
+  }();
+  return kinds;
+}
+
+void read_block_statement(Reader& in) {
+  std::string const head(in.next_word());
+  BlockKind const* const kind = find_block_kind(head);
+  if (!kind) return reject(in, "the scene");
+  if (!kind->place) {
+    in.report(Severity::Error, "E0255",
+              fmt::format("'{}' cannot stand alone: it belongs inside an object or behind #declare",
+                          head),
+              in.next_span());
+    return in.skip();
+  }
+  in.open_any();
+  Value value = kind->read(in, head);
+  in.close();
+  kind->place(std::move(value), in);
+}
+
+bool place_named(Reader& in) {
+  if (auto object = in.accept_value<scene::Object>())
+    place_object(*object, state_of(in));
+  else if (auto light = in.accept_value<scene::Light>())
+    state_of(in).scene.lights.push_back(*light);
+  else
+    return false;
+  return true;
+}
+
+} // namespace
+
+std::span<BlockKind const> block_kinds() {
+  return all_kinds();
+}
+
+BlockKind const* find_block_kind(std::string_view head) {
+  auto const& kinds = all_kinds();
+  auto const found = std::ranges::lower_bound(kinds, head, {}, &BlockKind::head);
+  return found != kinds.end() && found->head == head ? &*found : nullptr;
+}
+
+void read_statement(Reader& in) {
+  if (in.next() == Next::Block) return read_block_statement(in);
+  if (in.next() == Next::Identifier && place_named(in)) return;
+  if (in.accept("glass_catalog")) return read_glass_catalog(in);
+  if (in.accept("max_trace_level")) {
+    state_of(in).scene.settings.max_trace_level = in.integer("max_trace_level", 1, 256);
+    return;
+  }
+  reject(in, "the scene");
+}
+
+} // namespace abbe::lang

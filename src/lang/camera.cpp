@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Camera;
+
+/// What a camera block says; POV-Ray 3.5 on works it in after the whole block is read, so that the
+/// order of the items does not matter.
+struct Draft {
+  Camera camera;
+  Vec3 sky{0, 1, 0};
+  std::optional<Vec3> look_at;
+  std::optional<double> angle_deg;
+  bool frame_given = false; ///< right or up is written
+  geometry::Transform transform;
+};
+
+double read_angle(Reader& in) {
+  Span const at = in.next_span();
+  double const angle = in.number("angle");
+  if (angle > 0 && angle < 180) return angle;
+  in.report(Severity::Error, "E0353",
+            fmt::format("the camera's angle must be between 0 and 180 degrees, not {}", angle), at);
+  return 60;
+}
+
+bool read_kind(Reader& in, Camera& camera) {
+  if (in.accept("perspective")) {
+    camera.kind = Camera::Kind::Perspective;
+  } else if (in.accept("orthographic")) {
+    camera.kind = Camera::Kind::Orthographic;
+  } else if (in.next_word() == "cylinder") {
+    in.report(Severity::Error, "E0901", "'cylinder' in a camera is not supported yet",
+              in.next_span());
+    in.skip();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_vectors(Reader& in, Draft& draft) {
+  if (in.accept("location"))
+    draft.camera.location = in.vec3("location");
+  else if (in.accept("look_at"))
+    draft.look_at = in.vec3("look_at");
+  else if (in.accept("direction"))
+    draft.camera.direction = in.vec3("direction");
+  else if (in.accept("sky"))
+    draft.sky = in.vec3("sky");
+  else if (in.accept("right")) {
+    draft.camera.right = in.vec3("right");
+    draft.frame_given = true;
+  } else if (in.accept("up")) {
+    draft.camera.up = in.vec3("up");
+    draft.frame_given = true;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void fail(Reader& in, Draft const& draft, std::string_view why) {
+  in.report(Severity::Error, "E0352", why, draft.camera.span);
+}
+
+void aim(Reader& in, Draft& draft) {
+  Camera& camera = draft.camera;
+  Vec3 const towards = *draft.look_at - camera.location;
+  double const distance = glm::length(towards);
+  if (!(distance > 0)) return fail(in, draft, "the camera looks at its own location");
+  bool const left_handed = glm::dot(camera.right, glm::cross(camera.up, camera.direction)) >= 0;
+  Vec3 const ahead = towards / distance;
+  Vec3 const side = glm::cross(draft.sky, ahead);
+  double const width = glm::length(side);
+  // The rounding error of a cross product of unit vectors.
+  if (width <= gamma_bound(4) * glm::length(draft.sky)) {
+    in.report(Severity::Warning, "E0352",
+              "the camera looks along 'sky': 'right' and 'up' stay as they are", camera.span);
+    camera.direction = ahead * glm::length(camera.direction);
+    return;
+  }
+  Vec3 const right = side / width;
+  camera.direction = ahead * glm::length(camera.direction);
+  camera.up = glm::cross(ahead, right) * glm::length(camera.up);
+  camera.right = right * ((left_handed ? 1 : -1) * glm::length(camera.right));
+}
+
+void work_in(Reader& in, Draft& draft) {
+  Camera& camera = draft.camera;
+  double const right = glm::length(camera.right);
+  double const direction = glm::length(camera.direction);
+  if (!(right > 0) || !(direction > 0) || !(glm::length(camera.up) > 0))
+    return fail(in, draft, "the camera's right, up and direction must not be zero");
+  if (draft.angle_deg) {
+    double const half_rad = *draft.angle_deg / 2 * (std::numbers::pi / 180);
+    camera.direction *= right / (2 * std::tan(half_rad)) / direction;
+  }
+  if (draft.look_at) aim(in, draft);
+  if (camera.kind == Camera::Kind::Orthographic && (!draft.frame_given || draft.angle_deg)) {
+    double const distance = glm::length(draft.look_at.value_or(Vec3(0, 0, 1)) - camera.location);
+    double const size = distance / glm::length(camera.direction);
+    if (size > 0) {
+      camera.right *= size;
+      camera.up *= size;
+    }
+  }
+}
+
+void transform_camera(Camera& camera, geometry::Transform const& transform) {
+  camera.location = transform.point(camera.location);
+  camera.direction = transform.vector(camera.direction);
+  camera.up = transform.vector(camera.up);
+  camera.right = transform.vector(camera.right);
+}
+
+/// Three directions in one plane show nothing.
+void check(Reader& in, Draft const& draft) {
+  Camera const& c = draft.camera;
+  double const volume = std::abs(glm::dot(c.right, glm::cross(c.up, c.direction)));
+  double const scale = glm::length(c.right) * glm::length(c.up) * glm::length(c.direction);
+  if (!(volume > gamma_bound(8) * scale))
+    fail(in, draft, "the camera's right, up and direction lie in one plane");
+}
+
+} // namespace
+
+scene::Camera read_camera(Reader& in) {
+  Draft draft;
+  draft.camera = scene_state(in.interpreter()).default_camera;
+  draft.camera.span = in.block_span();
+  if (auto named = in.accept_value<Camera>()) {
+    draft.camera = *named;
+    draft.camera.span = in.block_span();
+    while (!in.at_end())
+      if (!read_transform(in, draft.transform)) reject(in, "a copied camera (transforms only)");
+  } else {
+    while (!in.at_end()) {
+      if (in.accept("angle"))
+        draft.angle_deg = read_angle(in);
+      else if (!read_kind(in, draft.camera) && !read_vectors(in, draft)
+               && !read_transform(in, draft.transform))
+        reject(in, "a camera");
+    }
+    work_in(in, draft);
+  }
+  transform_camera(draft.camera, draft.transform);
+  check(in, draft);
+  return draft.camera;
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "lang/attach.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Object;
+
+std::string_view kind_name(Object::Kind kind) {
+  switch (kind) {
+  case Object::Kind::Shape:
+    return "shape";
+  case Object::Kind::Union:
+    return "union";
+  case Object::Kind::Merge:
+    return "merge";
+  case Object::Kind::Intersection:
+    return "intersection";
+  case Object::Kind::Difference:
+    return "difference";
+  }
+  return "";
+}
+
+void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
+  if (kind == Object::Kind::Union || child.kind != Object::Kind::Shape || !child.shape
+      || child.shape->solid())
+    return;
+  in.report(
+      Severity::Warning, "E0253",
+      fmt::format("this surface has no inside: its part in the {} is undefined", kind_name(kind)),
+      child.span);
+}
+
+} // namespace
+
+/// Children, then (read by the caller) modifiers.
+scene::Object read_csg(Reader& in, Object::Kind kind) {
+  Object object;
+  object.kind = kind;
+  object.span = in.block_span();
+  bool failed = false;
+  while (!in.at_end()) {
+    if (auto child = accept_object(in)) {
+      warn_about_patch(in, kind, *child);
+      object.children.push_back(std::move(*child));
+    } else if (in.open("light_source")) {
+      object.lights.push_back(read_light(in));
+      in.close();
+    } else if (auto light = in.accept_value<scene::Light>()) {
+      object.lights.push_back(*light);
+    } else if (in.next() == Next::Block && skip_unsupported(in)) {
+      failed = true;
+    } else {
+      break;
+    }
+  }
+  if (object.children.empty() && object.lights.empty() && !failed)
+    in.report(Severity::Error, "E0250", fmt::format("{} {{}} holds no objects", kind_name(kind)),
+              object.span);
+  return object;
+}
+
+namespace {
+
+/// What a part takes from the combination it stands in.
+struct Inherited {
+  std::optional<scene::Layers> const* texture = nullptr;
+  std::optional<scene::Layers> const* interior_texture = nullptr;
+  std::shared_ptr<scene::Interior const> interior;
+  std::optional<bool> hollow;
+  bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+};
+
+/// A glass without a texture is clear, not black.
+scene::Texture clear_texture(Span span) {
+  scene::Texture texture;
+  texture.span = span;
+  texture.pigment.span = span;
+  texture.pigment.colour = {Vec3(1), 0, 1, nullptr};
+  texture.finish.ambient.rgb = Vec3(0);
+  texture.finish.diffuse = 0;
+  return texture;
+}
+
+bool inherit_flag(std::optional<bool>& own, bool from_parent) {
+  own = own.value_or(false) || from_parent;
+  return *own;
+}
+
+Inherited inherit(Object& object, Inherited const& from) {
+  Inherited to;
+  if (!object.interior) object.interior = from.interior;
+  if (!object.hollow) object.hollow = from.hollow;
+  to.interior = object.interior;
+  to.hollow = object.hollow;
+  to.no_shadow = inherit_flag(object.no_shadow, from.no_shadow);
+  to.no_image = inherit_flag(object.no_image, from.no_image);
+  to.no_reflection = inherit_flag(object.no_reflection, from.no_reflection);
+  to.double_illuminate = inherit_flag(object.double_illuminate, from.double_illuminate);
+  // An own texture is complete: nothing of the parent's, not even its inner one, is added.
+  bool const own = object.texture.has_value();
+  to.texture = own ? &object.texture : from.texture;
+  to.interior_texture =
+      own || object.interior_texture ? &object.interior_texture : from.interior_texture;
+  return to;
+}
+
+void settle_leaf(Object& object, Inherited const& with, scene::Texture const& default_texture) {
+  if (!object.texture && with.texture) object.texture = *with.texture;
+  if (!object.interior_texture && with.interior_texture)
+    object.interior_texture = *with.interior_texture;
+  if (object.texture) return;
+  bool const glass = object.interior && object.interior->glass;
+  object.texture.emplace(1, glass ? clear_texture(object.span) : default_texture);
+}
+
+struct Insertion {
+  scene::Scene& scene;
+  scene::Texture const& default_texture;
+};
+
+/// Clipping objects are geometry only.
+void flatten_clip(Object& clip) {
+  clip.texture.reset();
+  clip.interior_texture.reset();
+  clip.face_textures.clear();
+  clip.interior.reset();
+  clip.bounded_by.clear();
+  clip.lights.clear();
+  for (Object& child : clip.children) {
+    transform_object(child, clip.placement);
+    flatten_clip(child);
+  }
+  for (Object& inner : clip.clipped_by) flatten_clip(inner);
+  if (clip.kind != Object::Kind::Shape) clip.placement = {};
+}
+
+/// `object` is in world space already, except for its children.
+void settle(Object& object, Inherited const& from, Insertion const& into) {
+  Inherited const to = inherit(object, from);
+  object.bounded_by.clear();
+  for (Object& clip : object.clipped_by) flatten_clip(clip);
+  for (scene::Light& light : object.lights) into.scene.lights.push_back(std::move(light));
+  object.lights.clear();
+  if (object.kind == Object::Kind::Shape) {
+    settle_leaf(object, to, into.default_texture);
+    return;
+  }
+  for (Object& child : object.children) {
+    transform_object(child, object.placement);
+    settle(child, to, into);
+  }
+  object.placement = {};
+}
+
+} // namespace
+
+void place_object(scene::Object object, SceneState& state) {
+  settle(object, {}, {state.scene, state.default_texture});
+  if (object.kind == Object::Kind::Shape || !object.children.empty())
+    state.scene.objects.push_back(std::move(object));
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "lang/attach.hpp"
+
+namespace abbe::lang {
+
+void read_default(Reader& in) {
+  SceneState& state = scene_state(in.interpreter());
+  while (!in.at_end()) {
+    if (in.open("texture")) {
+      scene::Layers layers;
+      read_texture(in, layers);
+      in.close();
+      if (layers.size() > 1)
+        in.report(Severity::Error, "E0252", "the default texture must have a single layer",
+                  layers.front().span);
+      else
+        state.default_texture = std::move(layers.front());
+    } else if (read_texture_part(in, state.default_texture)) {
+      continue;
+    } else if (in.open("camera")) {
+      state.default_camera = read_camera(in);
+      in.close();
+    } else {
+      reject(in, "#default");
+    }
+  }
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+#include "lang/libraries.hpp"
+#include "lang/pairs.hpp"
+#include "optics/glass_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace abbe::lang {
+
+namespace {
+
+using optics::GlassBuilder;
+using optics::GlassPtr;
+
+/// Stands for a glass that could not be made, which was reported.
+GlassPtr placeholder() {
+  auto glass = GlassBuilder("placeholder").constant(1.5).build();
+  ABBE_ASSERT(glass.ok());
+  return *glass;
+}
+
+std::span<double const> components_of(Numeric const& value) {
+  return {value.c.data(), value.size};
+}
+
+bool open_headless(Reader& in) {
+  return in.next() == Next::Block && in.next_word().empty() && in.open_any();
+}
+
+/// `formula 2 { c0, c1, ... }`
+void read_formula(Reader& in, GlassBuilder& builder) {
+  int const id = in.integer("number of the formula", 1, 9);
+  if (!open_headless(in)) {
+    in.report(Severity::Error, "E0250", "expected the coefficients in braces after 'formula n'",
+              in.next_span());
+    return;
+  }
+  std::vector<double> coefficients;
+  while (in.has_value()) coefficients.push_back(in.number("coefficient"));
+  in.close();
+  builder.formula(id, std::move(coefficients));
+}
+
+/// The ways to say how the index depends on wavelength.
+bool read_model(Reader& in, GlassBuilder& builder) {
+  if (in.accept("sellmeier")) {
+    Numeric const b = in.numeric("B1, B2, B3");
+    Numeric const c = in.numeric("C1, C2, C3 in um^2");
+    builder.sellmeier(components_of(b), components_of(c));
+  } else if (in.accept("schott")) {
+    builder.schott(in.components("a0 to a5", 6));
+  } else if (in.accept("cauchy")) {
+    builder.cauchy(components_of(in.numeric("A, B, C")));
+  } else if (in.accept("abbe")) {
+    double const nd = in.number("nd");
+    builder.abbe(nd, in.number("Vd"));
+  } else if (in.accept("formula")) {
+    read_formula(in, builder);
+  } else if (in.open("samples")) {
+    builder.samples(read_pairs(in, "wavelength in um", "index"));
+    in.close();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_absorption(Reader& in, GlassBuilder& builder) {
+  if (in.accept("transmittance")) {
+    double const thickness_mm = in.number("thickness in mm");
+    if (!open_headless(in)) {
+      in.report(Severity::Error, "E0250",
+                "expected rows [wavelength in um, transmittance] in braces", in.next_span());
+      return true;
+    }
+    builder.transmittance(thickness_mm, read_pairs(in, "wavelength in um", "transmittance"));
+    in.close();
+  } else if (in.open("k")) {
+    builder.extinction(read_pairs(in, "wavelength in um", "extinction coefficient"));
+    in.close();
+  } else if (in.accept("absorption")) {
+    if (!in.boolean_or(true)) builder.clear();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// What is printed in catalogues beside the data.
+bool read_remarks(Reader& in, GlassBuilder& builder, double& nd, double& vd) {
+  if (in.accept("nd"))
+    nd = in.number("nd");
+  else if (in.accept("Vd"))
+    vd = in.number("Vd");
+  else if (in.accept("status"))
+    builder.status(in.string("status"));
+  else if (in.accept("medium"))
+    builder.medium(in.string("medium"));
+  else if (in.accept("category") || in.accept("reference") || in.accept("tags"))
+    in.string("remark");
+  else
+    return false;
+  return true;
+}
+
+/// The content of a glass that is given by data. Errors are reported; then a placeholder.
+GlassPtr read_definition(Reader& in, GlassBuilder builder, Span at) {
+  double nd = std::numeric_limits<double>::quiet_NaN();
+  double vd = nd;
+  while (!in.at_end()) {
+    if (in.accept("range")) {
+      double const lo_um = in.number("lower end of the range in um");
+      builder.range_um(lo_um, in.number("upper end of the range in um"));
+    } else if (!read_model(in, builder) && !read_absorption(in, builder)
+               && !read_remarks(in, builder, nd, vd)) {
+      reject(in, "a glass");
+    }
+  }
+  builder.printed(nd, vd);
+  auto glass = builder.build();
+  if (glass) return *glass;
+  in.report(Severity::Error, glass.error().code, glass.error().message, at);
+  return placeholder();
+}
+
+/// `glass { Crown absorption off }`: a glass that exists, changed.
+GlassPtr read_changes(Reader& in, GlassPtr glass) {
+  while (!in.at_end()) {
+    if (in.accept("absorption")) {
+      if (!in.boolean_or(true)) glass = glass->without_absorption();
+    } else {
+      reject(in, "a glass that has a name (only 'absorption off' changes one)");
+    }
+  }
+  return glass;
+}
+
+GlassPtr find_in_files(SceneState const& state, std::string_view name) {
+  // The last one read wins, as with #declare.
+  for (auto i = state.file_glasses.rbegin(); i != state.file_glasses.rend(); ++i)
+    if ((*i)->full_name() == name || (*i)->name() == name) return *i;
+  return nullptr;
+}
+
+/// Parses an entry of the catalogue: `glass_entry "SCHOTT/N-BK7" { ... }`.
+GlassPtr read_entry(Reader& in, optics::DataEntry const& entry) {
+  GlassPtr glass;
+  read_text(in.interpreter(), entry.file.filename().string(), entry.text, [&](Reader& slice) {
+    Span const at = slice.next_span();
+    if (!slice.accept("glass_entry")) return slice.unexpected("the glass catalogue");
+    std::string const full_name = slice.string("name");
+    auto const slash = full_name.find('/');
+    GlassBuilder builder(slash == std::string::npos ? full_name : full_name.substr(slash + 1));
+    if (slash != std::string::npos) builder.maker(full_name.substr(0, slash));
+    if (!open_headless(slice)) return slice.unexpected("the glass catalogue");
+    glass = read_definition(slice, std::move(builder), at);
+    slice.close();
+  });
+  return glass;
+}
+
+} // namespace
+
+std::shared_ptr<optics::Glass const> named_glass(Reader& in, std::string const& name, Span at) {
+  SceneState& state = scene_state(in.interpreter());
+  if (auto glass = find_in_files(state, name)) return glass;
+  if (auto const known = state.named_glasses.find(name); known != state.named_glasses.end())
+    return known->second;
+  auto const* library = glass_library(in, at);
+  if (!library) return nullptr;
+  auto entry = library->find(name);
+  if (!entry) {
+    in.report(Severity::Error, entry.error().code, entry.error().message, at);
+    return nullptr;
+  }
+  GlassPtr glass = read_entry(in, *entry);
+  if (glass) state.named_glasses.emplace(name, glass);
+  return glass;
+}
+
+std::shared_ptr<optics::Glass const> read_glass(Reader& in) {
+  if (auto declared = in.accept_value<optics::Glass>()) return read_changes(in, declared);
+  if (in.next() == Next::String) {
+    Span const at = in.next_span();
+    GlassPtr glass = named_glass(in, in.string("name of a glass"), at);
+    return read_changes(in, glass ? glass : placeholder());
+  }
+  Span const span = in.block_span();
+  return read_definition(in, GlassBuilder("glass"), span);
+}
+
+} // namespace abbe::lang

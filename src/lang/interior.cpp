@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Interior;
+
+double read_not_negative(Reader& in, std::string_view name) {
+  Span const at = in.next_span();
+  double const value = in.number(name);
+  if (value >= 0) return value;
+  in.report(Severity::Error, "E0353", fmt::format("{} must not be negative, it is {}", name, value),
+            at);
+  return 0;
+}
+
+/// POV-Ray: 0 means unset, as 1.
+double read_ior(Reader& in) {
+  double const ior = read_not_negative(in, "ior");
+  return ior == 0 ? 1 : ior;
+}
+
+double read_dispersion_ratio(Reader& in) {
+  Span const at = in.next_span();
+  double const ratio = in.number("dispersion");
+  if (ratio > 0) return ratio;
+  in.report(Severity::Error, "E0353",
+            fmt::format("dispersion is a ratio of indices and positive, not {}", ratio), at);
+  return 1;
+}
+
+/// `glass { ... }`, `glass Name`, `glass "N-BK7"`
+bool read_glass_item(Reader& in, Interior& interior) {
+  if (in.open("glass")) {
+    interior.glass = read_glass(in);
+    in.close();
+    return true;
+  }
+  if (!in.accept("glass")) return false;
+  Span const at = in.next_span();
+  if (auto named = in.accept_value<optics::Glass>())
+    interior.glass = named;
+  else if (in.next() == Next::String)
+    interior.glass = named_glass(in, in.string("name of a glass"), at);
+  else
+    in.report(Severity::Error, "E0250", "expected a glass: its name, \"name\" or { ... }", at);
+  return true;
+}
+
+bool read_dispersion_item(Reader& in, Interior& interior) {
+  if (in.open("dispersion")) {
+    interior.dispersion = read_dispersion_mode(in);
+    in.close();
+  } else if (in.accept("dispersion")) {
+    interior.pov_dispersion = read_dispersion_ratio(in);
+  } else if (in.accept("dispersion_samples")) {
+    interior.pov_dispersion_samples = in.integer("dispersion_samples", 2, 1000);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_fade(Reader& in, Interior& interior) {
+  if (in.accept("fade_distance"))
+    interior.fade_distance = read_not_negative(in, "fade_distance");
+  else if (in.accept("fade_power"))
+    interior.fade_power = read_not_negative(in, "fade_power");
+  else if (in.accept("fade_color") || in.accept("fade_colour"))
+    interior.fade_colour = read_rgb(in, "fade_color");
+  else if (in.accept("caustics"))
+    interior.caustics = in.number("caustics");
+  else
+    return false;
+  return true;
+}
+
+} // namespace
+
+void read_interior(Reader& in, Interior& interior) {
+  Span const span = in.block_span();
+  Span ior_at;
+  while (!in.at_end()) {
+    Span const at = in.next_span();
+    if (auto named = in.accept_value<Interior>()) {
+      interior = *named;
+    } else if (auto glass = in.accept_value<optics::Glass>()) {
+      interior.glass = glass;
+    } else if (in.accept("ior")) {
+      interior.ior = read_ior(in);
+      ior_at = at;
+    } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)
+               && !read_fade(in, interior)) {
+      reject(in, "an interior");
+    }
+  }
+  interior.span = span;
+  if (interior.glass && ior_at.valid())
+    in.report(Severity::Warning, "E0422", "ior has no effect beside a glass", ior_at);
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Light;
+
+/// `spotlight`, `parallel` and how they combine.
+bool read_kind(Reader& in, Light& light) {
+  Span const at = in.next_span();
+  Light::Kind kind = Light::Kind::Point;
+  if (in.accept("spotlight")) {
+    kind = Light::Kind::Spot;
+  } else if (in.accept("parallel")) {
+    kind = Light::Kind::Parallel;
+  } else if (in.next_word() == "cylinder") {
+    in.report(Severity::Error, "E0901", "'cylinder' in a light_source is not supported yet", at);
+    in.skip();
+    return true;
+  } else {
+    return false;
+  }
+  if (light.kind != Light::Kind::Point && light.kind != kind)
+    in.report(Severity::Error, "E0901", "'spotlight' with 'parallel' is not supported yet", at);
+  light.kind = kind;
+  return true;
+}
+
+double read_angle(Reader& in, std::string_view name) {
+  Span const at = in.next_span();
+  double const degrees = in.number(name);
+  if (degrees >= 0 && degrees <= 180) return degrees;
+  in.report(Severity::Error, "E0353",
+            fmt::format("a spotlight's {} must be 0 to 180 degrees, not {}", name, degrees), at);
+  return 45;
+}
+
+bool read_aim(Reader& in, Light& light) {
+  if (light.kind == Light::Kind::Point) return false;
+  if (in.accept("point_at")) {
+    light.point_at = in.vec3("point_at");
+    return true;
+  }
+  if (light.kind != Light::Kind::Spot) return false;
+  if (in.accept("radius"))
+    light.radius_deg = read_angle(in, "radius");
+  else if (in.accept("falloff"))
+    light.falloff_deg = read_angle(in, "falloff");
+  else if (in.accept("tightness"))
+    light.tightness = in.number("tightness");
+  else
+    return false;
+  return true;
+}
+
+bool read_item(Reader& in, Light& light) {
+  geometry::Transform transform;
+  if (read_transform(in, transform))
+    transform_light(light, transform);
+  else if (in.accept("shadowless"))
+    light.shadowless = true;
+  else if (in.accept("fade_distance"))
+    light.fade_distance = in.number("fade_distance");
+  else if (in.accept("fade_power"))
+    light.fade_power = in.number("fade_power");
+  else
+    return read_kind(in, light) || read_aim(in, light);
+  return true;
+}
+
+void check(Reader& in, Light const& light) {
+  if (light.kind == Light::Kind::Point || light.point_at != light.position) return;
+  in.report(Severity::Error, "E0353", "this light points at its own place: it has no direction",
+            light.span);
+}
+
+} // namespace
+
+scene::Light read_light(Reader& in) {
+  Light light;
+  if (auto named = in.accept_value<Light>()) {
+    light = *named;
+  } else {
+    light.position = in.vec3("position");
+    if (starts_colour(in)) light.colour = read_rgb(in, "the light");
+  }
+  light.span = in.block_span();
+  while (!in.at_end())
+    if (!read_item(in, light)) reject(in, "a light_source");
+  check(in, light);
+  return light;
+}
+
+void transform_light(Light& light, geometry::Transform const& transform) {
+  light.position = transform.point(light.position);
+  light.point_at = transform.point(light.point_at);
+}
+
+} // namespace abbe::lang

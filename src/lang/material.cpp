@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "lang/attach.hpp"
+
+namespace abbe::lang {
+
+namespace {
+
+void push_layers(std::optional<scene::Layers>& onto, scene::Layers layers) {
+  if (!onto) onto.emplace();
+  for (scene::Texture& layer : layers) onto->push_back(std::move(layer));
+}
+
+scene::Layers read_layers(Reader& in) {
+  scene::Layers layers;
+  read_texture(in, layers);
+  in.close();
+  return layers;
+}
+
+/// `pigment {}` or `finish {}` outside a texture block.
+bool read_loose_part(Reader& in, std::optional<scene::Layers>& texture) {
+  std::string_view const word = in.next_word();
+  if (in.next() != Next::Block || (word != "pigment" && word != "finish")) return false;
+  if (!texture) {
+    texture.emplace(1, scene_state(in.interpreter()).default_texture);
+    texture->front().span = in.next_span();
+  }
+  return read_texture_part(in, texture->back());
+}
+
+void attach_material(MaterialValue const& material, Surface const& surface) {
+  if (material.texture) push_layers(surface.texture, *material.texture);
+  if (material.interior_texture) push_layers(surface.interior_texture, *material.interior_texture);
+  if (material.interior) surface.interior = material.interior;
+}
+
+} // namespace
+
+bool read_surface(Reader& in, Surface const& surface) {
+  if (in.open("texture")) {
+    push_layers(surface.texture, read_layers(in));
+  } else if (read_loose_part(in, surface.texture)) {
+    return true;
+  } else if (in.open("interior_texture")) {
+    push_layers(surface.interior_texture, read_layers(in));
+  } else if (in.open("interior")) {
+    auto interior = std::make_shared<scene::Interior>();
+    read_interior(in, *interior);
+    in.close();
+    surface.interior = std::move(interior);
+  } else if (in.open("material")) {
+    attach_material(read_material(in), surface);
+    in.close();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+MaterialValue read_material(Reader& in) {
+  MaterialValue material;
+  Surface const surface{material.texture, material.interior_texture, material.interior};
+  while (!in.at_end()) {
+    geometry::Transform transform;
+    if (read_surface(in, surface)) continue;
+    if (auto named = in.accept_value<MaterialValue>()) {
+      material = *named;
+    } else if (read_transform(in, transform)) {
+      if (material.texture) transform_layers(*material.texture, transform);
+      if (material.interior_texture) transform_layers(*material.interior_texture, transform);
+    } else {
+      reject(in, "a material");
+    }
+  }
+  return material;
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "lang/attach.hpp"
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Object;
+
+void read_objects(Reader& in, std::vector<Object>& into, std::string_view where) {
+  std::size_t const before = into.size();
+  while (!in.at_end()) {
+    if (auto object = accept_object(in))
+      into.push_back(std::move(*object));
+    else
+      reject(in, where);
+  }
+  if (into.size() == before)
+    in.report(Severity::Error, "E0250", std::string(where) + " holds no object", in.block_span());
+}
+
+/// `clipped_by { objects }`, `bounded_by { objects }` and the forms that name the other.
+bool read_bounds(Reader& in, Object& object) {
+  bool const clip = in.open("clipped_by");
+  if (!clip && !in.open("bounded_by")) return false;
+  std::string_view const other = clip ? "bounded_by" : "clipped_by";
+  std::vector<Object>& into = clip ? object.clipped_by : object.bounded_by;
+  std::vector<Object> const& from = clip ? object.bounded_by : object.clipped_by;
+  if (in.accept(other)) {
+    if (from.empty())
+      in.report(Severity::Error, "E0252",
+                "there is no " + std::string(other) + " before this to be named", in.block_span());
+    into.insert(into.end(), from.begin(), from.end());
+  } else {
+    read_objects(in, into, clip ? "clipped_by" : "bounded_by");
+  }
+  in.close();
+  return true;
+}
+
+bool read_flag(Reader& in, std::string_view word, std::optional<bool>& flag) {
+  if (!in.accept(word)) return false;
+  flag = in.boolean_or(true);
+  return true;
+}
+
+bool read_flags(Reader& in, Object& object) {
+  if (in.accept("no_shadow")) {
+    object.no_shadow = true;
+    return true;
+  }
+  if (in.accept("inverse")) {
+    object.inverse = !object.inverse;
+    return true;
+  }
+  return read_flag(in, "hollow", object.hollow) || read_flag(in, "no_image", object.no_image)
+         || read_flag(in, "no_reflection", object.no_reflection)
+         || read_flag(in, "double_illuminate", object.double_illuminate);
+}
+
+/// Hints to POV-Ray's solvers and bounding, and flags for effects that do not exist here (whose own
+/// blocks are reported): no picture depends on them.
+bool read_hint(Reader& in) {
+  for (std::string_view word : {"sturm", "hierarchy", "no_radiosity", "split_union"})
+    if (in.accept(word)) {
+      in.boolean_or(true);
+      return true;
+    }
+  return false;
+}
+
+} // namespace
+
+bool read_object_modifier(Reader& in, Object& object) {
+  geometry::Transform transform;
+  if (read_transform(in, transform)) {
+    transform_object(object, transform);
+    return true;
+  }
+  Surface const surface{object.texture, object.interior_texture, object.interior};
+  return read_surface(in, surface) || read_flags(in, object) || read_bounds(in, object)
+         || read_hint(in);
+}
+
+void transform_object(Object& object, geometry::Transform const& transform) {
+  object.placement = object.placement.then(transform);
+  if (object.texture) transform_layers(*object.texture, transform);
+  if (object.interior_texture) transform_layers(*object.interior_texture, transform);
+  for (scene::Layers& layers : object.face_textures) transform_layers(layers, transform);
+  for (Object& clip : object.clipped_by) transform_object(clip, transform);
+  for (Object& bound : object.bounded_by) transform_object(bound, transform);
+  for (scene::Light& light : object.lights) transform_light(light, transform);
+}
+
+} // namespace abbe::lang

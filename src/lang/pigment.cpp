@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Pigment;
+using texture::PatternInstance;
+
+texture::PatternKind const* find_pattern(std::string_view word) {
+  static auto const by_word = [] {
+    std::unordered_map<std::string_view, texture::PatternKind const*> map;
+    for (auto const& kind : texture::pattern_kinds()) map.emplace(kind.keyword, &kind);
+    return map;
+  }();
+  auto const found = by_word.find(word);
+  return found == by_word.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<Pigment const> plain(scene::Colour colour) {
+  auto pigment = std::make_shared<Pigment>();
+  pigment->colour = std::move(colour);
+  return pigment;
+}
+
+/// What a pigment is while its block is read.
+struct Draft {
+  Pigment& pigment;
+  std::optional<PatternInstance> instance; ///< the pattern, open for changes
+
+  explicit Draft(Pigment& target) : pigment(target) { load(); }
+  void load() {
+    instance.reset();
+    if (pigment.pattern) instance = *pigment.pattern;
+  }
+  void store() {
+    pigment.pattern = instance ? std::make_shared<PatternInstance const>(*instance) : nullptr;
+  }
+};
+
+/// Adds a transform to the way from the surrounding space into the pattern's. Affine steps that
+/// follow one another are one.
+void append(PatternInstance& instance, geometry::Transform const& transform) {
+  if (instance.mappings.empty()) {
+    instance.mappings.push_back({transform.inverse_linear, transform.inverse_offset});
+    return;
+  }
+  texture::Mapping& last = instance.mappings.back();
+  last.offset = last.linear * transform.inverse_offset + last.offset;
+  last.linear = last.linear * transform.inverse_linear;
+}
+
+void set_default_entries(Pigment& pigment, texture::Pattern const& pattern, std::size_t from) {
+  auto const defaults = pattern.default_map();
+  for (std::size_t i = from; i < defaults.size(); ++i)
+    pigment.entries.push_back({defaults[i].value, plain({defaults[i].rgb, 0, 0, nullptr})});
+}
+
+/// The items of checker, brick and their like: colours or pigments.
+void read_list(Reader& in, Draft& draft) {
+  auto const size = static_cast<std::size_t>(draft.instance->pattern->list_size());
+  std::vector<Pigment::Entry> items;
+  while (items.size() < size && !in.at_end()) {
+    auto const number = static_cast<double>(items.size());
+    if (in.open("pigment")) {
+      auto item = std::make_shared<Pigment>(scene_state(in.interpreter()).default_texture.pigment);
+      read_pigment(in, *item);
+      in.close();
+      items.push_back({number, std::move(item)});
+    } else if (auto named = in.accept_value<Pigment>()) {
+      items.push_back({number, std::move(named)});
+    } else if (auto colour = accept_colour(in)) {
+      items.push_back({number, plain(*colour)});
+    } else if (auto changed = draft.instance->pattern->read_item(in)) {
+      draft.instance->pattern = std::move(changed);
+    } else {
+      break;
+    }
+  }
+  draft.pigment.default_entries = items.empty();
+  draft.pigment.entries = std::move(items);
+  set_default_entries(draft.pigment, *draft.instance->pattern, draft.pigment.entries.size());
+}
+
+bool read_pattern(Reader& in, Draft& draft) {
+  texture::PatternKind const* const kind = find_pattern(in.next_word());
+  if (!kind || !in.accept(kind->keyword)) return false;
+  if (!draft.instance) {
+    draft.instance.emplace();
+    draft.instance->modifiers.noise_generator =
+        scene_state(in.interpreter()).default_noise_generator;
+  }
+  bool const was_list = draft.instance->pattern && draft.instance->pattern->list_size() > 0;
+  draft.instance->pattern = kind->read(in);
+  if (draft.instance->pattern->list_size() > 0) {
+    read_list(in, draft);
+  } else if (was_list || draft.pigment.default_entries) {
+    draft.pigment.entries.clear();
+    draft.pigment.default_entries = false;
+  }
+  return true;
+}
+
+bool read_modifier(Reader& in, Draft& draft) {
+  if (!draft.instance) return false;
+  if (auto changed = draft.instance->pattern->read_item(in)) {
+    draft.instance->pattern = std::move(changed);
+    return true;
+  }
+  return texture::read_modifier(in, draft.instance->modifiers);
+}
+
+bool read_map(Reader& in, Draft& draft) {
+  Span const at = in.next_span();
+  bool const colours = in.open("color_map") || in.open("colour_map");
+  if (!colours && !in.open("pigment_map")) return false;
+  auto entries = colours ? read_color_map(in) : read_pigment_map(in);
+  in.close();
+  if (draft.instance && draft.instance->pattern->list_size() > 0)
+    in.report(Severity::Error, "E0252", "this pattern takes a list of colours, not a map", at);
+  else
+    draft.pigment.entries = std::move(entries);
+  draft.pigment.default_entries = false;
+  return true;
+}
+
+bool read_other(Reader& in, Draft& draft) {
+  geometry::Transform transform;
+  if (read_transform(in, transform)) {
+    if (draft.instance) append(*draft.instance, transform);
+  } else if (in.accept("quick_color") || in.accept("quick_colour")) {
+    read_colour(in, "quick_color"); // only for POV-Ray's lowest qualities
+  } else if (auto named = in.accept_value<Pigment>()) {
+    draft.pigment = *named;
+    draft.load();
+  } else if (auto colour = accept_colour(in)) {
+    draft.pigment.colour = *colour;
+    draft.pigment.entries.clear();
+    draft.pigment.default_entries = false;
+    draft.instance.reset();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+void read_pigment(Reader& in, Pigment& pigment) {
+  pigment.span = in.block_span();
+  Span const span = pigment.span;
+  Draft draft(pigment);
+  while (!in.at_end()) {
+    if (read_pattern(in, draft) || read_modifier(in, draft) || read_map(in, draft)
+        || read_other(in, draft))
+      continue;
+    reject(in, "a pigment");
+  }
+  pigment.span = span;
+  draft.store();
+  if (draft.instance && pigment.entries.empty()) {
+    set_default_entries(pigment, *draft.instance->pattern, 0);
+    pigment.default_entries = true;
+  }
+  if (!draft.instance && !pigment.entries.empty()) {
+    in.report(Severity::Error, "E0250", "this pigment has a map but no pattern", span);
+    pigment.entries.clear();
+  }
+}
+
+void transform_pigment(Pigment& pigment, geometry::Transform const& transform) {
+  if (!pigment.pattern) return;
+  PatternInstance instance = *pigment.pattern;
+  append(instance, transform);
+  pigment.pattern = std::make_shared<PatternInstance const>(std::move(instance));
+}
+
+} // namespace abbe::lang

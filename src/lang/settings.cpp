@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include "optics/bands.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Settings;
+using scene::SpectralSettings;
+
+void read_spacing(Reader& in, SpectralSettings& spectral) {
+  if (in.accept("uniform")) {
+    spectral.spacing = SpectralSettings::Spacing::Uniform;
+  } else if (in.accept("hall")) {
+    spectral.spacing = SpectralSettings::Spacing::Hall;
+  } else if (in.open("boundaries")) {
+    spectral.spacing = SpectralSettings::Spacing::Boundaries;
+    spectral.boundaries_nm.clear();
+    while (in.has_value()) spectral.boundaries_nm.push_back(in.number("boundary in nm"));
+    in.close();
+  } else {
+    in.report(Severity::Error, "E0250",
+              "expected 'uniform', 'hall' or 'boundaries { ... }' after 'spacing'", in.next_span());
+  }
+}
+
+double read_unit(Reader& in) {
+  Span const at = in.next_span();
+  double const mm = in.number("millimetres per unit");
+  if (mm > 0) return mm;
+  in.report(Severity::Error, "E0353",
+            fmt::format("a scene unit must have a positive number of millimetres, not {}", mm), at);
+  return 1;
+}
+
+void read_spectral(Reader& in, SpectralSettings& spectral) {
+  spectral.requested = true;
+  spectral.span = in.block_span();
+  while (!in.at_end()) {
+    if (in.accept("bands")) {
+      spectral.bands = in.integer("number of bands", 1, optics::Bands::max_count);
+    } else if (in.accept("range")) {
+      spectral.low_nm = in.number("lower end of the range in nm");
+      spectral.high_nm = in.number("upper end of the range in nm");
+    } else if (in.accept("spacing")) {
+      read_spacing(in, spectral);
+    } else if (in.open("dispersion")) {
+      spectral.dispersion = read_dispersion_mode(in);
+      in.close();
+    } else if (in.accept("unit")) {
+      spectral.mm_per_unit = read_unit(in);
+    } else {
+      reject(in, "spectral {}");
+    }
+  }
+  if (spectral.spacing == SpectralSettings::Spacing::Boundaries
+      && spectral.boundaries_nm.size() >= 2) {
+    spectral.bands = static_cast<int>(spectral.boundaries_nm.size()) - 1;
+    spectral.low_nm = spectral.boundaries_nm.front();
+    spectral.high_nm = spectral.boundaries_nm.back();
+  }
+  if (auto bands = make_bands(spectral); !bands)
+    in.report(Severity::Error, bands.error().code, bands.error().message, spectral.span);
+}
+
+void read_gamma(Reader& in, Settings& settings) {
+  Span const at = in.next_span();
+  bool& given = scene_state(in.interpreter()).gamma_given;
+  bool const srgb = in.accept("srgb");
+  double const gamma = srgb ? 2.2 : in.number("assumed_gamma");
+  if (given) {
+    in.report(Severity::Warning, "E0357", "a second assumed_gamma is ignored", at);
+    return;
+  }
+  if (!(gamma > 0)) {
+    in.report(Severity::Error, "E0353",
+              fmt::format("assumed_gamma must be positive, not {}", gamma), at);
+    return;
+  }
+  given = true;
+  settings.assumed_gamma = gamma;
+  settings.assumed_gamma_srgb = srgb;
+}
+
+void warn_ignored(Reader& in, std::string_view what, Span at) {
+  in.report(Severity::Warning, "E0902", fmt::format("{} has no effect here", what), at);
+}
+
+/// Settings of POV-Ray that change nothing in what abbe does; those that would change a picture in
+/// POV-Ray are not taken without a word.
+bool read_ignored(Reader& in) {
+  Span const at = in.next_span();
+  if (in.accept("charset")) {
+    if (!in.accept("ascii") && !in.accept("utf8") && !in.accept("sys")) in.unexpected("charset");
+  } else if (in.accept("hf_gray_16")) {
+    in.boolean_or(true);
+  } else if (in.accept("max_intersections")) {
+    in.number("max_intersections");
+  } else if (in.accept("number_of_waves")) {
+    if (in.number("number_of_waves") != 10) warn_ignored(in, "a number_of_waves other than 10", at);
+  } else if (in.accept("irid_wavelength")) {
+    read_rgb(in, "irid_wavelength"); // `irid` itself is reported
+  } else if (in.accept("mm_per_unit")) {
+    in.number("mm_per_unit"); // for subsurface, which is reported
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_item(Reader& in, Settings& settings) {
+  if (in.open("spectral")) {
+    read_spectral(in, settings.spectral);
+    in.close();
+  } else if (in.accept("assumed_gamma")) {
+    read_gamma(in, settings);
+  } else if (in.accept("adc_bailout")) {
+    settings.adc_bailout = in.number("adc_bailout");
+  } else if (in.accept("ambient_light")) {
+    settings.ambient_light = read_rgb(in, "ambient_light");
+  } else if (in.accept("max_trace_level")) {
+    settings.max_trace_level = in.integer("max_trace_level", 1, 256);
+  } else if (in.accept("noise_generator")) {
+    int const generator = in.integer("noise_generator", 1, 3);
+    settings.noise_generator = generator;
+    scene_state(in.interpreter()).default_noise_generator = generator;
+  } else {
+    return read_ignored(in);
+  }
+  return true;
+}
+
+} // namespace
+
+Result<optics::Bands> make_bands(SpectralSettings const& spectral) {
+  switch (spectral.spacing) {
+  case SpectralSettings::Spacing::Hall:
+    return optics::Bands::hall(spectral.bands, spectral.low_nm, spectral.high_nm);
+  case SpectralSettings::Spacing::Boundaries:
+    return optics::Bands::from_edges(spectral.boundaries_nm);
+  case SpectralSettings::Spacing::Uniform:
+    break;
+  }
+  return optics::Bands::uniform(spectral.bands, spectral.low_nm, spectral.high_nm);
+}
+
+void read_global_settings(Reader& in, Settings& settings) {
+  while (!in.at_end())
+    if (!read_item(in, settings)) reject(in, "global_settings");
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "lang/attach.hpp"
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace abbe::lang {
+
+void transform_layers(scene::Layers& layers, geometry::Transform const& transform) {
+  for (scene::Texture& layer : layers) layer.placement = layer.placement.then(transform);
+}
+
+void set_pigment(scene::Texture& layer, scene::Pigment pigment) {
+  if (!layer.placement.identity()) transform_pigment(pigment, layer.placement.inverse());
+  layer.pigment = std::move(pigment);
+}
+
+namespace {
+
+/// `checker texture{} ...`, `bozo texture_map{}`: a texture that begins with a pattern.
+bool reject_patterned(Reader& in) {
+  std::string_view const word = in.next_word();
+  bool const pattern = std::ranges::any_of(texture::pattern_kinds(),
+                                           [&](auto const& kind) { return kind.keyword == word; });
+  if (!pattern) return false;
+  in.report(
+      Severity::Error, "E0901",
+      fmt::format("a texture with a pattern ('{}') is not supported yet; a pigment with one is",
+                  word),
+      in.next_span());
+  while (!in.at_end()) in.skip();
+  return true;
+}
+
+bool read_named(Reader& in, scene::Layers& layers, bool first) {
+  if (auto named = in.accept_value<scene::Layers>()) {
+    if (!first)
+      in.report(Severity::Error, "E0251",
+                "the name of a texture must be the first item of texture {}",
+                named->empty() ? Span{} : named->front().span);
+    layers = *named;
+  } else if (auto pigment = in.accept_value<scene::Pigment>()) {
+    set_pigment(layers.back(), *pigment);
+  } else if (auto finish = in.accept_value<scene::Finish>()) {
+    layers.back().finish = *finish;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+bool read_texture_part(Reader& in, scene::Texture& layer) {
+  if (in.open("pigment")) {
+    scene::Pigment pigment = scene_state(in.interpreter()).default_texture.pigment;
+    read_pigment(in, pigment);
+    in.close();
+    set_pigment(layer, std::move(pigment));
+  } else if (in.open("finish")) {
+    scene::Finish finish = scene_state(in.interpreter()).default_texture.finish;
+    read_finish(in, finish);
+    in.close();
+    layer.finish = std::move(finish);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void read_texture(Reader& in, scene::Layers& layers) {
+  Span const span = in.block_span();
+  layers.assign(1, scene_state(in.interpreter()).default_texture);
+  for (bool first = true; !in.at_end(); first = false) {
+    geometry::Transform transform;
+    if (read_texture_part(in, layers.back()) || read_named(in, layers, first)) continue;
+    if (read_transform(in, transform))
+      transform_layers(layers, transform);
+    else if (!reject_patterned(in))
+      reject(in, "a texture");
+  }
+  for (scene::Texture& layer : layers)
+    if (!layer.span.valid()) layer.span = span;
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "lang/blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace abbe::lang {
+
+namespace {
+
+using geometry::Transform;
+
+/// POV-Ray takes a scale of 0 for a slip and uses 1.
+Vec3 read_scale(Reader& in) {
+  Span const at = in.next_span();
+  Vec3 by = in.vec3("scale");
+  for (int i = 0; i < 3; ++i) {
+    if (by[i] != 0) continue;
+    by[i] = 1;
+    in.report(Severity::Warning, "E0350", fmt::format("scale 0 in {} is taken as 1", "xyz"[i]), at);
+  }
+  return by;
+}
+
+Transform read_matrix(Reader& in) {
+  Span const at = in.next_span();
+  std::vector<double> const numbers = in.components("matrix", 12);
+  double rows[12];
+  std::copy_n(numbers.begin(), 12, rows);
+  if (auto matrix = Transform::matrix(rows)) return *matrix;
+  in.report(Severity::Error, "E0351", "this matrix is singular: it has no inverse", at);
+  return {};
+}
+
+} // namespace
+
+Transform read_transform_block(Reader& in) {
+  Transform whole;
+  bool inverse = false;
+  while (!in.at_end()) {
+    if (in.accept("inverse"))
+      inverse = true;
+    else if (auto named = in.accept_value<Transform>())
+      whole = whole.then(*named);
+    else if (!read_transform(in, whole))
+      reject(in, "a transform");
+  }
+  return inverse ? whole.inverse() : whole;
+}
+
+bool read_transform(Reader& in, Transform& transform) {
+  if (in.accept("translate")) {
+    transform = transform.then(Transform::translation(in.vec3("translation")));
+  } else if (in.accept("rotate")) {
+    transform = transform.then(Transform::rotation(in.vec3("rotation in degrees")));
+  } else if (in.accept("scale")) {
+    transform = transform.then(Transform::scaling(read_scale(in)));
+  } else if (in.accept("matrix")) {
+    transform = transform.then(read_matrix(in));
+  } else if (in.open("transform")) {
+    transform = transform.then(read_transform_block(in));
+    in.close();
+  } else if (in.accept("transform")) {
+    Span const at = in.next_span();
+    if (auto named = in.accept_value<Transform>())
+      transform = transform.then(*named);
+    else
+      in.report(Severity::Error, "E0250", "expected the name of a transform after 'transform'", at);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+} // namespace abbe::lang
