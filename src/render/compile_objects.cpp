@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "render/compile_objects.hpp"
+
+#include <algorithm>
+#include <span>
+#include <unordered_map>
+
+namespace abbe::render {
+namespace {
+
+using geometry::CsgTree;
+using geometry::Transform;
+using scene::Object;
+
+/// A piece of the scene that becomes one solid.
+struct Piece {
+  CsgTree tree;
+  std::shared_ptr<scene::Interior const> interior;
+  std::uint8_t mask = 0;
+  bool opaque = true;
+};
+
+class ObjectCompiler {
+public:
+  ObjectCompiler(scene::Scene const& scene, ColourCompiler& colours, PigmentCompiler& pigments,
+                 MediaCompiler& media, Stage& stage)
+      : scene_(scene), colours_(colours), pigments_(pigments), media_(media), stage_(stage) {}
+
+  void run() {
+    for (auto const& object : scene_.objects)
+      for (auto& piece : pieces(object)) add_solid(std::move(piece));
+    stage_.world = std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_));
+  }
+
+private:
+  void add_solid(Piece&& piece) {
+    CompiledSolid solid;
+    if (piece.interior) {
+      solid.has_medium = true;
+      solid.medium = media_.add(piece.interior);
+    }
+    stage_.solids.push_back(solid);
+    if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
+    solids_.push_back({std::move(piece.tree), piece.mask});
+  }
+
+  /// The solids that an object is made of. In a finished scene every leaf stands in world space and
+  /// has its texture, interior and flags.
+  std::vector<Piece> pieces(Object const& object) {
+    std::vector<Piece> out;
+    switch (object.kind) {
+    case Object::Kind::Shape:
+      out.push_back(primitive(object));
+      break;
+    case Object::Kind::Union:
+      for (auto const& child : object.children)
+        for (auto& piece : pieces(child)) out.push_back(std::move(piece));
+      // The inverse of a union is one intersection.
+      if (object.inverse && !out.empty()) {
+        std::vector<Piece> one;
+        one.push_back(joined(std::move(out), CsgTree::Op::Merge));
+        out = std::move(one);
+      }
+      break;
+    case Object::Kind::Merge:
+      if (!object.children.empty()) out.push_back(merged(object.children));
+      break;
+    case Object::Kind::Intersection:
+    case Object::Kind::Difference:
+      out = cut(object);
+      break;
+    }
+    if (object.inverse)
+      for (auto& piece : out) piece.tree.inverse = !piece.tree.inverse;
+    clip(object, out);
+    return out;
+  }
+
+  Piece merged(std::span<Object const> objects) {
+    std::vector<Piece> parts;
+    for (auto const& child : objects)
+      for (auto& piece : pieces(child)) parts.push_back(std::move(piece));
+    return joined(std::move(parts), CsgTree::Op::Merge);
+  }
+
+  static Piece joined(std::vector<Piece> parts, CsgTree::Op op) {
+    if (parts.size() == 1) return std::move(parts.front());
+    Piece out;
+    out.tree.op = op;
+    for (auto& part : parts) {
+      if (!out.interior) out.interior = part.interior;
+      out.mask |= part.mask;
+      out.opaque = out.opaque && part.opaque;
+      out.tree.children.push_back(std::move(part.tree));
+    }
+    settle_shadow(out);
+    return out;
+  }
+
+  /// A solid casts opaque shadows only when all of it is opaque.
+  static void settle_shadow(Piece& piece) {
+    bool const casts = (piece.mask & (opaque_shadow_bit | filter_shadow_bit)) != 0;
+    piece.mask &= static_cast<std::uint8_t>(~(opaque_shadow_bit | filter_shadow_bit));
+    if (casts) piece.mask |= piece.opaque ? opaque_shadow_bit : filter_shadow_bit;
+  }
+
+  /// Intersections and differences; several pieces where a see-through union is distributed.
+  std::vector<Piece> cut(Object const& object) {
+    bool const difference = object.kind == Object::Kind::Difference;
+    std::vector<std::vector<Piece>> operands;
+    for (std::size_t i = 0; i < object.children.size(); ++i) {
+      if (difference && i > 0) {
+        // What is taken away has no inner faces to show.
+        operands.push_back({});
+        operands.back().push_back(merged({&object.children[i], 1}));
+        continue;
+      }
+      auto parts = pieces(object.children[i]);
+      bool const opaque =
+          std::all_of(parts.begin(), parts.end(), [](Piece const& p) { return p.opaque; });
+      if (opaque && parts.size() > 1) {
+        std::vector<Piece> one;
+        one.push_back(joined(std::move(parts), CsgTree::Op::Merge));
+        parts = std::move(one);
+      }
+      operands.push_back(std::move(parts));
+    }
+    std::vector<Piece> out;
+    std::vector<std::size_t> choice(operands.size(), 0);
+    if (std::any_of(operands.begin(), operands.end(),
+                    [](auto const& parts) { return parts.empty(); }))
+      return out;
+    while (true) {
+      std::vector<Piece> parts;
+      for (std::size_t i = 0; i < operands.size(); ++i) parts.push_back(operands[i][choice[i]]);
+      Piece piece = joined(std::move(parts),
+                           difference ? CsgTree::Op::Difference : CsgTree::Op::Intersection);
+      // The whole is one body: an interior given to the operation itself goes before those of
+      // operands.
+      if (object.interior) piece.interior = object.interior;
+      out.push_back(std::move(piece));
+      std::size_t i = 0;
+      while (i < choice.size() && ++choice[i] == operands[i].size()) choice[i++] = 0;
+      if (i == choice.size()) return out;
+    }
+  }
+
+  void clip(Object const& object, std::vector<Piece>& out) {
+    if (object.clipped_by.empty()) return;
+    for (auto& piece : out) {
+      Piece clipped = piece;
+      clipped.tree = {};
+      clipped.tree.op = CsgTree::Op::Clip;
+      clipped.tree.children.push_back(std::move(piece.tree));
+      for (auto const& by : object.clipped_by)
+        clipped.tree.children.push_back(merged({&by, 1}).tree);
+      piece = std::move(clipped);
+    }
+  }
+
+  Piece primitive(Object const& object) {
+    Piece piece;
+    piece.tree.primitive = static_cast<geometry::PrimitiveId>(primitives_.size());
+    primitives_.push_back({object.shape, object.placement.then(to_stage_)});
+    Surface surface;
+    surface.double_illuminate = object.double_illuminate.value_or(false);
+    if (object.texture) surface.layers = layers(*object.texture);
+    if (object.interior_texture) surface.interior_layers = layers(*object.interior_texture);
+    for (auto const& face : object.face_textures) surface.face_layers.push_back(layers(face));
+    piece.opaque = opaque(surface.layers)
+                   && (surface.interior_layers.empty() || opaque(surface.interior_layers));
+    for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
+    stage_.surfaces.push_back(std::move(surface));
+    piece.interior = object.interior;
+    bool const image = !object.no_image.value_or(false);
+    bool const reflection = !object.no_reflection.value_or(false);
+    bool const shadow = !object.no_shadow.value_or(false);
+    piece.mask =
+        static_cast<std::uint8_t>((image ? camera_bit : 0) | (reflection ? reflection_bit : 0)
+                                  | (!shadow        ? 0
+                                     : piece.opaque ? opaque_shadow_bit
+                                                    : filter_shadow_bit));
+    return piece;
+  }
+
+  /// Only what lies under a layer that lets light pass can be seen.
+  bool opaque(std::vector<int> const& numbers) const {
+    return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [&](int number) {
+             return pigments_.opaque(stage_.layers[static_cast<std::size_t>(number)].pigment);
+           });
+  }
+
+  std::vector<int> layers(scene::Layers const& textures) {
+    std::vector<int> out;
+    for (auto const& texture : textures) {
+      Transform const to_stage = texture.placement.then(to_stage_);
+      // Plain colours are the same everywhere, so the same texture in another place is the same
+      // layer.
+      bool const plain = !texture.pigment.pattern;
+      auto const known = plain_layers_.find(&texture);
+      if (plain && known != plain_layers_.end()) {
+        out.push_back(known->second);
+        continue;
+      }
+      CompiledLayer layer;
+      layer.pigment = pigments_.add(texture.pigment);
+      layer.finish = compile_finish(texture.finish, scene_.settings, colours_);
+      layer.to_texture_linear = to_stage.inverse_linear;
+      layer.to_texture_offset = to_stage.inverse_offset;
+      out.push_back(static_cast<int>(stage_.layers.size()));
+      stage_.layers.push_back(std::move(layer));
+      if (plain) plain_layers_.emplace(&texture, out.back());
+    }
+    return out;
+  }
+
+  scene::Scene const& scene_;
+  ColourCompiler& colours_;
+  PigmentCompiler& pigments_;
+  MediaCompiler& media_;
+  Stage& stage_;
+  Transform to_stage_ = Transform::translation(-scene_.camera.location);
+  std::vector<geometry::PlacedShape> primitives_;
+  std::vector<geometry::World::Solid> solids_;
+  std::unordered_map<scene::Texture const*, int> plain_layers_;
+};
+
+} // namespace
+
+void compile_objects(scene::Scene const& scene, ColourCompiler& colours, PigmentCompiler& pigments,
+                     MediaCompiler& media, Stage& stage) {
+  ObjectCompiler(scene, colours, pigments, media, stage).run();
+}
+
+} // namespace abbe::render

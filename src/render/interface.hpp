@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/vec.hpp"
+#include "optics/fresnel.hpp"
+
+namespace abbe::render {
+
+/// What an interface does to the lanes of a beam that meets it. Arrays are per lane, in the arena.
+struct LaneInterface {
+  Vec3 normal{0};    ///< unit shading normal on the side the ray comes from
+  Vec3 geometric{0}; ///< the true one, same side
+  double cos_i = 1;
+  int before = 0; ///< media
+  int after = 0;
+  bool bends = false;   ///< the index changes
+  bool splits = false;  ///< each lane goes its own way
+  bool fresnel = false; ///< a real dielectric: reflects by Fresnel unasked
+  int split_wave = 0;   ///< wave table of the split
+  int split_medium = 0; ///< whose mode governs it
+  /// Fresnel reflectance and transmittance; 1 and 0 at total reflection.
+  double* reflectance = nullptr;
+  double* transmittance = nullptr;
+  bool* total = nullptr;
+  /// Snell for all lanes alike, where they do not split.
+  optics::Interface<double> common{};
+  /// For lanes that split.
+  optics::Interface<double>* per_lane = nullptr;
+};
+
+/// What the textures at the interface let through and mirror, per lane.
+struct LaneSurface {
+  double* passed = nullptr;
+  double* mirrored = nullptr; ///< asked for by `reflection`, to be added as it is
+  bool mirrors = false;
+  bool explicit_reflection =
+      false; ///< a `reflection` item was given: Fresnel does not come unasked
+  double exponent = 1;
+};
+
+} // namespace abbe::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "render/media_compiler.hpp"
+
+#include "optics/glass_builder.hpp"
+#include "plan/dispersion.hpp"
+
+#include <algorithm>
+
+namespace abbe::render {
+
+MediaCompiler::MediaCompiler(scene::Settings const& settings, plan::Plan const& plan,
+                             ColourCompiler& colours, Stage& stage)
+    : settings_(settings), plan_(plan), colours_(colours), stage_(stage) {
+  Medium air;
+  air.flat_index.assign(static_cast<std::size_t>(stage.channels), 1.0);
+  stage_.media.push_back(std::move(air));
+}
+
+int MediaCompiler::add(std::shared_ptr<scene::Interior const> const& interior) {
+  auto const found = known_.find(interior.get());
+  if (found != known_.end()) return found->second;
+  stage_.media.push_back(compile(*interior));
+  int const number = static_cast<int>(stage_.media.size()) - 1;
+  known_.emplace(interior.get(), number);
+  return number;
+}
+
+Medium MediaCompiler::compile(scene::Interior const& interior) {
+  Medium medium;
+  medium.fresnel = interior.glass != nullptr;
+  medium.index_d = plan::plain_index(interior);
+  medium.flat_index.assign(static_cast<std::size_t>(stage_.channels), medium.index_d);
+  if (interior.fade_power != 0 && interior.fade_distance != 0) {
+    medium.fade_distance = interior.fade_distance;
+    medium.fade_power = interior.fade_power;
+    medium.fade_colour = colours_.reflectance(interior.fade_colour);
+  }
+  if (!stage_.bands) return medium;
+
+  optics::Bands const& bands = *stage_.bands;
+  auto const glass = plan::dispersive_glass(interior);
+  if (glass && glass->absorbs()) {
+    for (int i = 0; i < bands.count(); ++i)
+      medium.absorption.push_back(glass->absorption_per_mm(bands.center(i))
+                                  * settings_.spectral.mm_per_unit);
+    if (is_black(medium.absorption)) medium.absorption.clear();
+  }
+  medium.mode = plan::effective_mode(interior, settings_, plan_.dispersion_override);
+  bool const wanted = medium.mode.kind != scene::DispersionMode::Kind::None;
+  if (!wanted || !glass || !glass->is_dispersive(bands.lo_nm(), bands.hi_nm())) return medium;
+  medium.dispersive = true;
+  medium.glass = glass.get();
+  stage_.glasses.push_back(glass);
+  for (int i = 0; i < bands.count(); ++i)
+    medium.index.push_back(glass->index_unchecked(bands.center(i)));
+  if (medium.mode.kind == scene::DispersionMode::Kind::Stochastic)
+    medium.jitter = jitter_number(medium.mode);
+  return medium;
+}
+
+int MediaCompiler::jitter_number(scene::DispersionMode const& mode) {
+  JitterSettings const settings{mode.jitter, mode.jitter_width_bands, mode.faithful};
+  auto const found = std::find(stage_.jitters.begin(), stage_.jitters.end(), settings);
+  if (found != stage_.jitters.end()) return static_cast<int>(found - stage_.jitters.begin());
+  stage_.jitters.push_back(settings);
+  return static_cast<int>(stage_.jitters.size()) - 1;
+}
+
+} // namespace abbe::render

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "render/pigment.hpp"
+
+#include <algorithm>
+
+namespace abbe::render {
+namespace {
+
+void blend(PigmentValue& value, PigmentValue const& other, double weight, int lanes) {
+  for (int k = 0; k < lanes; ++k) value.colour[k] += weight * (other.colour[k] - value.colour[k]);
+  value.filter += weight * (other.filter - value.filter);
+  value.transmit += weight * (other.transmit - value.transmit);
+}
+
+} // namespace
+
+PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point, Beam const& beam,
+                              Arena& arena) {
+  CompiledPigment const& p = stage.pigments[static_cast<std::size_t>(pigment)];
+  if (!p.pattern) {
+    PigmentValue value{arena.take<double>(static_cast<std::size_t>(beam.lanes)), p.colour.filter,
+                       p.colour.transmit};
+    for (int k = 0; k < beam.lanes; ++k) value.colour[k] = p.colour.value[beam.channel[k]];
+    return value;
+  }
+  double const at = p.pattern->evaluate(point);
+  texture::MapPosition position;
+  if (p.is_list) {
+    position.first = std::clamp(static_cast<int>(at), 0, static_cast<int>(p.entries.size()) - 1);
+    position.second = position.first;
+  } else {
+    position = texture::look_up(p.values, at);
+  }
+  auto const entry = [&](int i) { return p.entries[static_cast<std::size_t>(i)]; };
+  // The entries see the point after the parent's own warps and transforms.
+  Vec3 inner = point;
+  for (auto m = p.pattern->mappings.rbegin(); m != p.pattern->mappings.rend(); ++m)
+    inner = m->linear * inner + m->offset;
+  PigmentValue value = evaluate_pigment(stage, entry(position.first), inner, beam, arena);
+  if (position.weight != 0)
+    blend(value, evaluate_pigment(stage, entry(position.second), inner, beam, arena),
+          position.weight, beam.lanes);
+  return value;
+}
+
+double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
+  if (stage.opacity_version >= 3.7) return 1 - value.filter - value.transmit;
+  double brightest = 0;
+  for (int k = 0; k < lanes; ++k) brightest = std::max(brightest, value.colour[k]);
+  return 1 - (value.filter * brightest + value.transmit);
+}
+
+} // namespace abbe::render

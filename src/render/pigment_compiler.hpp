@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/colour_compiler.hpp"
+
+#include <map>
+#include <vector>
+
+namespace abbe::render {
+
+/// Pigments as numbers into the stage; those that several maps or objects share are compiled once.
+class PigmentCompiler {
+public:
+  PigmentCompiler(ColourCompiler& colours, std::vector<CompiledPigment>& out)
+      : colours_(colours), out_(out) {}
+
+  int add(scene::Pigment const& pigment);
+  bool opaque(int number) const { return out_[static_cast<std::size_t>(number)].opaque; }
+
+private:
+  int add_shared(std::shared_ptr<scene::Pigment const> const& pigment);
+  ColourCompiler& colours_;
+  std::vector<CompiledPigment>& out_;
+  std::map<scene::Pigment const*, int> shared_;
+  std::map<std::vector<double>, int> plain_;
+};
+
+CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const& settings,
+                              ColourCompiler& colours);
+
+} // namespace abbe::render

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render.hpp"
+
+#include <vector>
+
+namespace abbe::render {
+
+/// Colour of a pixel or sample, with its spectrum when that is wanted.
+struct Sampled {
+  Vec3 rgb{0};
+  std::vector<double> bands;
+
+  void add(Sampled const& other);
+  void scale(double factor);
+};
+
+/// Samples the picture plane. The random numbers of a sample depend only on where it lies, so that
+/// any thread, tile or order gives the same picture.
+class PixelSampler {
+public:
+  PixelSampler(Stage const& stage, RenderOptions const& options, Tracer& tracer);
+
+  /// One ray through the middle of the pixel.
+  Sampled centre(int x, int y);
+  /// Method 1: the grid of a pixel whose centre sample differs from a neighbour's, averaged with
+  /// it.
+  Sampled refined(int x, int y, Sampled const& centre);
+  /// Method 2: the pixel from its corners, subdivided where they differ.
+  Sampled subdivided(int x, int y);
+
+  /// Do two samples differ by more than the threshold, as the eye sees them (gamma 2.5)?
+  bool differ(Vec3 const& a, Vec3 const& b) const;
+
+private:
+  Sampled at(double x, double y, RandomKey pixel, std::uint64_t index);
+  Sampled corner(std::int64_t x, std::int64_t y);
+  Sampled cell(std::int64_t x, std::int64_t y, std::int64_t size, Sampled const (&corners)[4]);
+
+  Stage const& stage_;
+  RenderOptions const& options_;
+  Tracer& tracer_;
+  RandomKey frame_key_;
+  std::int64_t grid_; ///< steps per pixel of method 2
+};
+
+} // namespace abbe::render

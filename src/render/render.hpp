@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "image/image.hpp"
+#include "plan/plan.hpp"
+#include "render/tracer.hpp"
+#include "scene/scene.hpp"
+
+#include <atomic>
+#include <functional>
+#include <optional>
+
+namespace abbe::render {
+
+/// POV-Ray's two methods of anti-aliasing. Method 1 re-samples pixels that differ from a neighbour
+/// on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to `depth`
+/// times.
+struct AntiAliasing {
+  int method = 0; ///< 0 off, 1, 2
+  int depth = 3;
+  double threshold = 0.3;
+  double jitter = 0; ///< of the sub-pixel positions, 0..1
+};
+
+struct Region {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< pixels, x1 and y1 not included
+};
+
+struct Progress {
+  double share = 0;       ///< of the work, 0..1
+  std::uint64_t rays = 0; ///< so far
+};
+
+struct RenderOptions {
+  int width = 640;
+  int height = 480;
+  int threads = 0; ///< 0: all cores
+  AntiAliasing anti_aliasing;
+  std::uint64_t seed = 0;
+  bool spectral_output = false;
+  std::optional<Region> region;
+  int tile_size = 32;
+  std::function<void(Progress const&)> on_progress; ///< called from one thread at a time
+  std::atomic<bool> const* stop = nullptr;          ///< set: leave soon
+};
+
+struct RenderResult {
+  image::Image image;
+  RayCounts counts;
+  bool interrupted = false;
+};
+
+/// The picture of a scene. The same bytes for any number of threads and any tile size.
+RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
+                    RenderOptions const& options);
+
+} // namespace abbe::render

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/interface.hpp"
+#include "render/tracer.hpp"
+
+namespace abbe::render {
+
+/// The textures of the surfaces at one hit: adds their own light, and says what they pass and
+/// mirror. Formulas: POV-Ray's (language notes, section 14).
+class Shader {
+public:
+  Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
+         LaneInterface const& face, InsideNode const* inside_after);
+
+  /// All surfaces of the hit, nearest side first.
+  LaneSurface shade();
+
+private:
+  struct Lit; // light arriving from one lamp
+  void shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out);
+  void shade_layer(CompiledLayer const& layer, bool double_illuminate, LaneSurface& out);
+  void add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
+                double const* passed);
+  void add_lights(CompiledFinish const& finish, double const* pigment, double opaque,
+                  bool double_illuminate, double const* passed);
+  void add_light(CompiledLight const& light, CompiledFinish const& finish, double const* pigment,
+                 double opaque, bool double_illuminate, double const* passed);
+  void reflectivity(CompiledReflection const& reflection, double const* pigment, double* out);
+  /// Light left after the way to a lamp; false when there is none. `left` is per lane.
+  bool visible(Vec3 const& to_light, double distance, double* left);
+  void filter_shadow(Vec3 const& to_light, double distance, double* left);
+
+  Tracer& tracer_;
+  Stage const& stage_;
+  PathRay const& ray_;
+  Beam const& beam_;
+  Tracer::Frame& frame_;
+  LaneInterface const& face_;
+  InsideNode const* inside_after_;
+};
+
+/// Attenuation by `fade_distance` and `fade_power` of the medium that is left, one channel.
+double distance_fade(Medium const& medium, int channel, double distance);
+
+} // namespace abbe::render

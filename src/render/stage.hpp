@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/world.hpp"
+#include "optics/bands.hpp"
+#include "optics/glass.hpp"
+#include "plan/plan.hpp"
+#include "scene/scene.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// The scene made ready for rays: flattened, relative to the camera, every colour as one number a
+/// channel. Immutable while rays are traced.
+namespace abbe::render {
+
+/// Channels of light: the spectral bands, or r g b.
+using Channels = std::vector<double>;
+
+struct CompiledColour {
+  Channels value; ///< reflectance, or light relative to D65
+  double filter = 0;
+  double transmit = 0;
+  double maximum = 0; ///< largest channel
+};
+
+struct CompiledPigment {
+  CompiledColour colour; ///< of a plain one
+  std::shared_ptr<texture::PatternInstance const> pattern;
+  bool is_list = false;
+  std::vector<double> values;
+  std::vector<int> entries; ///< numbers of pigments
+  bool opaque = true;       ///< nowhere does light pass
+};
+
+struct CompiledReflection {
+  Channels minimum, maximum;
+  bool fresnel = false;
+  double falloff = 1;
+  double exponent = 1;
+  double metallic = 0;
+  Channels metal_n, metal_k; ///< set for a metal by n and k
+};
+
+struct CompiledFinish {
+  Channels ambient; ///< times the global ambient light; empty when zero
+  Channels emission;
+  double diffuse = 0, diffuse_back = 0, brilliance = 1;
+  double phong = 0, phong_size = 40;
+  double specular = 0, roughness = 0.05;
+  double metallic = 0;
+  std::optional<CompiledReflection> reflection;
+  bool conserve_energy = false;
+};
+
+struct CompiledLayer {
+  int pigment = 0;
+  CompiledFinish finish;
+  /// World (relative to the camera) -> texture space; used by patterns only.
+  Mat3 to_texture_linear{1};
+  Vec3 to_texture_offset{0};
+};
+
+/// What a ray may travel in. Number 0 is the surrounding air.
+struct Medium {
+  double index_d = 1;  ///< the index where no wavelength is distinguished
+  Channels index;      ///< per channel at the band's mean wavelength, where it disperses
+  Channels flat_index; ///< index_d for every channel, where it does not
+  Channels absorption; ///< per scene unit; empty: none
+  optics::Glass const* glass = nullptr; ///< for jittered wavelengths
+  bool dispersive = false;
+  bool fresnel = false; ///< a real dielectric (glass {}): its faces reflect by Fresnel unasked
+  scene::DispersionMode mode;
+  int jitter = -1; ///< number of its jitter configuration (stochastic modes)
+  double fade_distance = 0, fade_power = 0;
+  Channels fade_colour;
+};
+
+/// Everything about the surface of a primitive.
+struct Surface {
+  std::vector<int> layers;          ///< from the bottom to the top
+  std::vector<int> interior_layers; ///< seen from inside, when the scene gives them
+  std::vector<std::vector<int>> face_layers;
+  bool double_illuminate = false;
+};
+
+struct CompiledSolid {
+  int medium = 0;          ///< of its inside
+  bool has_medium = false; ///< an interior was given: it counts as a medium
+};
+
+struct CompiledLight {
+  scene::Light::Kind kind = scene::Light::Kind::Point;
+  Vec3 position{0};        ///< relative to the camera
+  Vec3 direction{0, 0, 1}; ///< unit, from the light, of spot and parallel lights
+  Channels value;
+  double cos_radius = 1, cos_falloff = 0, tightness = 0;
+  bool shadowless = false;
+  double fade_distance = 0, fade_power = 0;
+};
+
+/// How a stochastic material draws its wavelengths. Rays of different settings are kept apart on
+/// the film because the wavelengths that they stand for differ.
+struct JitterSettings {
+  scene::DispersionMode::Jitter jitter = scene::DispersionMode::Jitter::Uniform;
+  double width_bands = 1;
+  bool faithful = false;
+  bool operator==(JitterSettings const&) const = default;
+};
+
+/// World mask bits (geometry::visible_to_*): opaque and filtering casters of shadows apart.
+inline constexpr std::uint8_t camera_bit = 1, reflection_bit = 2, opaque_shadow_bit = 4,
+                              filter_shadow_bit = 8;
+
+struct Stage {
+  int channels = 3;
+  std::optional<optics::Bands> bands; ///< nullopt: r g b
+  std::unique_ptr<geometry::World> world;
+  std::vector<Surface> surfaces;     ///< by PrimitiveId
+  std::vector<CompiledSolid> solids; ///< by SolidId
+  std::vector<CompiledLayer> layers;
+  std::vector<CompiledPigment> pigments;
+  std::vector<Medium> media;                                 ///< [0] is air
+  std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
+  std::vector<CompiledLight> lights;
+  std::vector<JitterSettings> jitters;
+  Channels background;
+  std::vector<int> sky_pigments; ///< pigments; the last on top
+  Channels sky_emission;
+  Mat3 to_sky_linear{1};
+  Vec3 to_sky_offset{0};
+  scene::Camera camera; ///< location is the origin of the stage
+  double adc_bailout = 1.0 / 255;
+  int max_trace_level = 5;
+  double opacity_version = 3.7; ///< < 3.7: POV-Ray's older rule of opacity
+  bool has_filter_shadows = false;
+  std::vector<Vec3> rgb_weights; ///< colour of one unit of each channel
+};
+
+/// Flattens a scene. The plan says which transport is used.
+/// The scene must have passed evaluation: nothing here can fail on user input.
+Stage compile(scene::Scene const& scene, plan::Plan const& plan);
+
+} // namespace abbe::render

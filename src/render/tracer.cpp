@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "render/tracer.hpp"
+
+#include "optics/refract.hpp"
+#include "render/pigment.hpp"
+#include "render/shader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace abbe::render {
+
+void RayCounts::add(RayCounts const& other) {
+  camera += other.camera;
+  reflected += other.reflected;
+  refracted += other.refracted;
+  monochromatic += other.monochromatic;
+  shadow += other.shadow;
+}
+
+Tracer::Tracer(Stage const& stage)
+    : stage_(stage), scratch_(geometry::World::make_scratch()), waves_(stage), film_(stage) {
+  auto const n = static_cast<std::size_t>(stage.channels);
+  all_channels_.resize(n);
+  all_slots_.resize(n);
+  std::iota(all_channels_.begin(), all_channels_.end(), std::uint16_t{0});
+  std::iota(all_slots_.begin(), all_slots_.end(), std::uint32_t{0});
+  if (stage.camera.kind == scene::Camera::Kind::Perspective) camera_inside_ = inside_at(Vec3(0));
+}
+
+Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands) {
+  Arena::Scope const scope(arena_);
+  film_.start_sample();
+  waves_.start_sample(key);
+  out_ = film_.data();
+  Beam beam;
+  beam.lanes = stage_.channels;
+  beam.channel = all_channels_.data();
+  beam.slot = all_slots_.data();
+  beam.throughput = arena_.take<double>(all_slots_.size());
+  std::fill_n(beam.throughput, beam.lanes, 1.0);
+  PathRay path{ray, nullptr, camera_inside_, 0, camera_bit};
+  if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
+    path.inside = inside_at(ray.origin);
+  ++counts_.camera;
+  trace(path, beam);
+  return film_.resolve(waves_, bands);
+}
+
+Tracer::Frame& Tracer::frame(int depth) {
+  while (frames_.size() <= static_cast<std::size_t>(depth)) frames_.emplace_back();
+  return frames_[static_cast<std::size_t>(depth)];
+}
+
+InsideNode const* Tracer::inside_at(Vec3 const& point) {
+  std::vector<geometry::SolidId> solids;
+  stage_.world->containing(point, *scratch_, solids);
+  InsideNode const* inside = nullptr;
+  for (auto const solid : solids)
+    if (stage_.solids[solid].has_medium) {
+      // The camera's own list outlives every sample, so it has an arena of its own.
+      Arena& arena =
+          stage_.camera.kind == scene::Camera::Kind::Perspective ? camera_arena_ : arena_;
+      auto* node = arena.take<InsideNode>(1);
+      *node = {solid, inside};
+      inside = node;
+    }
+  return inside;
+}
+
+int Tracer::medium_of(InsideNode const* inside) const {
+  return inside ? stage_.solids[inside->solid].medium : 0;
+}
+
+InsideNode const* Tracer::after_crossings(InsideNode const* inside, geometry::HitGroup const& hit) {
+  auto const push = [this](geometry::SolidId solid, InsideNode const* below) {
+    auto* node = arena_.take<InsideNode>(1);
+    *node = {solid, below};
+    return static_cast<InsideNode const*>(node);
+  };
+  for (auto const& crossing : hit.crossings) {
+    if (crossing.entering || !crossing.toggles || !stage_.solids[crossing.solid].has_medium)
+      continue;
+    // Take the solid out of the list: what was entered after it is put back in order.
+    InsideNode const* found = inside;
+    while (found && found->solid != crossing.solid) found = found->below;
+    if (!found) continue;
+    InsideNode const* rebuilt = found->below;
+    int above = 0;
+    for (InsideNode const* n = inside; n != found; n = n->below) ++above;
+    for (; above > 0; --above) {
+      InsideNode const* n = inside;
+      for (int i = 1; i < above; ++i) n = n->below;
+      rebuilt = push(n->solid, rebuilt);
+    }
+    inside = rebuilt;
+  }
+  for (auto const& crossing : hit.crossings)
+    if (crossing.entering && crossing.toggles && stage_.solids[crossing.solid].has_medium)
+      inside = push(crossing.solid, inside);
+  return inside;
+}
+
+double Tracer::index_of(int medium, Beam const& beam) {
+  Medium const& m = stage_.media[static_cast<std::size_t>(medium)];
+  if (!m.dispersive || !beam.monochromatic()) return m.index_d;
+  return waves_.indices(medium, beam.wave)[static_cast<std::size_t>(beam.wave_band)];
+}
+
+void Tracer::add_background(Vec3 const& direction, Beam const& beam) {
+  if (stage_.sky_pigments.empty()) {
+    if (stage_.background.empty()) return;
+    for (int k = 0; k < beam.lanes; ++k)
+      out_[beam.slot[k]] += beam.throughput[k] * stage_.background[beam.channel[k]];
+    return;
+  }
+  Arena::Scope const scope(arena_);
+  Vec3 const point = stage_.to_sky_linear * direction + stage_.to_sky_offset;
+  auto* left = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+  std::fill_n(left, beam.lanes, 1.0);
+  for (auto number = stage_.sky_pigments.rbegin(); number != stage_.sky_pigments.rend(); ++number) {
+    PigmentValue const pigment = evaluate_pigment(stage_, *number, point, beam, arena_);
+    double const opaque = opacity(stage_, pigment, beam.lanes);
+    for (int k = 0; k < beam.lanes; ++k) {
+      out_[beam.slot[k]] += beam.throughput[k] * left[k] * opaque * pigment.colour[k]
+                            * stage_.sky_emission[beam.channel[k]];
+      left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
+    }
+  }
+  if (stage_.background.empty()) return;
+  for (int k = 0; k < beam.lanes; ++k)
+    out_[beam.slot[k]] += beam.throughput[k] * left[k] * stage_.background[beam.channel[k]];
+}
+
+void Tracer::absorb(Beam& beam, Medium const& medium, double distance) {
+  if (medium.absorption.empty()) return;
+  for (int k = 0; k < beam.lanes; ++k) {
+    double const alpha = medium.absorption[beam.channel[k]];
+    if (alpha != 0) beam.throughput[k] *= std::exp(-alpha * distance);
+  }
+}
+
+void Tracer::trace(PathRay const& ray, Beam const& incoming) {
+  if (ray.level >= stage_.max_trace_level) return;
+  ++depth_;
+  Frame& here = frame(depth_);
+  if (!stage_.world->closest(ray.line, ray.from, ray.mask, std::numeric_limits<double>::infinity(),
+                             *scratch_, here.hit)) {
+    // The background is infinitely far: nothing of it comes through a medium that absorbs.
+    Medium const& medium = stage_.media[static_cast<std::size_t>(medium_of(ray.inside))];
+    if (medium.absorption.empty()) {
+      add_background(ray.line.direction, incoming);
+    } else {
+      Arena::Scope const scope(arena_);
+      Beam beam = incoming;
+      beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+      for (int k = 0; k < beam.lanes; ++k)
+        beam.throughput[k] = medium.absorption[beam.channel[k]] > 0 ? 0 : incoming.throughput[k];
+      add_background(ray.line.direction, beam);
+    }
+    --depth_;
+    return;
+  }
+  Arena::Scope const scope(arena_);
+  Beam beam = incoming;
+  beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+  std::copy_n(incoming.throughput, beam.lanes, beam.throughput);
+  absorb(beam, stage_.media[static_cast<std::size_t>(medium_of(ray.inside))], here.hit.t);
+  interact(ray, beam, here);
+  --depth_;
+}
+
+} // namespace abbe::render

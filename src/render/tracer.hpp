@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/arena.hpp"
+#include "render/beam.hpp"
+#include "render/interface.hpp"
+#include "render/sample_film.hpp"
+#include "render/stage.hpp"
+#include "render/wave_tables.hpp"
+
+#include <cstdint>
+#include <deque>
+
+namespace abbe::render {
+
+/// What a ray is inside of: the solids with an interior, the last entered first. Lives in the
+/// arena.
+struct InsideNode {
+  geometry::SolidId solid;
+  InsideNode const* below;
+};
+
+/// A ray on its way: where, inside of what, how deep.
+struct PathRay {
+  geometry::Ray line; ///< unit direction
+  geometry::Departure const* from = nullptr;
+  InsideNode const* inside = nullptr;
+  int level = 0;
+  std::uint8_t mask = camera_bit;
+};
+
+/// Counts of one thread, added up for the report.
+struct RayCounts {
+  std::uint64_t camera = 0, reflected = 0, refracted = 0, monochromatic = 0, shadow = 0;
+  void add(RayCounts const& other);
+  std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
+};
+
+/// Traces the paths of camera samples; one per thread. Throughput is carried from the camera on, so
+/// that a path that can add nothing more is dropped, and light is added to the sample's film where
+/// it is met.
+class Tracer {
+public:
+  explicit Tracer(Stage const& stage);
+
+  /// Light arriving along a camera ray. @param bands one value a channel, or empty
+  Vec3 sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands);
+
+  RayCounts const& counts() const { return counts_; }
+
+private:
+  friend class Shader;
+  struct Frame {
+    geometry::HitGroup hit;
+    geometry::Departure through, back, shadow;
+  };
+
+  // tracer.cpp
+  void trace(PathRay const& ray, Beam const& beam);
+  void add_background(Vec3 const& direction, Beam const& beam);
+  void absorb(Beam& beam, Medium const& medium, double distance);
+  InsideNode const* after_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
+  InsideNode const* inside_at(Vec3 const& point);
+  int medium_of(InsideNode const* inside) const;
+  double index_of(int medium, Beam const& beam);
+
+  // tracer_interface.cpp
+  void interact(PathRay const& ray, Beam& beam, Frame& frame);
+  void find_normals(PathRay const& ray, Frame& frame, LaneInterface& face);
+  void find_interface(Beam const& beam, Vec3 const& direction, LaneInterface& face);
+  void reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+               LaneSurface const& surface);
+  void transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                LaneSurface const& surface, InsideNode const* after);
+  void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+             InsideNode const* after);
+  /// The beam once it met a dispersing material of this stochastic setting: its light is kept apart
+  /// on the film.
+  Beam jittered(Beam const& beam, int jitter);
+  /// The published scheme: every lane becomes two, of the bands that its wavelength falls between.
+  Beam doubled(Beam const& beam, int jitter);
+
+  Frame& frame(int depth);
+
+  Stage const& stage_;
+  Arena arena_;
+  geometry::ScratchPtr scratch_;
+  std::deque<Frame> frames_;
+  int depth_ = 0;
+  WaveTables waves_;
+  SampleFilm film_;
+  double* out_ =
+      nullptr; ///< where light is added: the film, or a capture for `reflection exponent`
+  std::vector<std::uint16_t> all_channels_;
+  std::vector<std::uint32_t> all_slots_;
+  InsideNode const* camera_inside_ = nullptr;
+  Arena camera_arena_;
+  RayCounts counts_;
+};
+
+} // namespace abbe::render

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "optics/refract.hpp"
+#include "render/shader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// What happens where a ray meets a surface: Fresnel and Snell per lane, then the reflected and the
+/// transmitted rays, split by wavelength where the material disperses.
+namespace abbe::render {
+namespace {
+
+/// cos and sin^2 of the angle of incidence for unit vectors, the sine without cancellation.
+struct Incidence {
+  double cos_i;
+  double sin2_i;
+};
+Incidence incidence(Vec3 const& direction, Vec3 const& normal) {
+  Vec3 const cross = glm::cross(direction, normal);
+  return {std::clamp(-glm::dot(direction, normal), 0.0, 1.0),
+          std::min(1.0, glm::dot(cross, cross))};
+}
+
+bool any_above(double const* values, int n, double threshold) {
+  return std::any_of(values, values + n, [&](double v) { return v > threshold; });
+}
+
+} // namespace
+
+void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face) {
+  // The first surface entered gives the normal; leaving only, the first left.
+  auto const& crossings = frame.hit.crossings;
+  auto chosen = std::find_if(crossings.begin(), crossings.end(),
+                             [](auto const& crossing) { return crossing.entering; });
+  if (chosen == crossings.end()) chosen = crossings.begin();
+  face.geometric = stage_.world->geometric_normal(chosen->primitive, chosen->face, frame.hit.point);
+  face.normal = stage_.world->normal(chosen->primitive, chosen->face, frame.hit.point);
+  Vec3 const& d = ray.line.direction;
+  if (glm::dot(d, face.geometric) > 0) {
+    face.geometric = -face.geometric;
+    face.normal = -face.normal;
+  }
+  // A smoothed normal may lean away from the viewer.
+  if (glm::dot(d, face.normal) >= 0) face.normal = face.geometric;
+}
+
+void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterface& face) {
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  face.reflectance = arena_.take<double>(n);
+  face.transmittance = arena_.take<double>(n);
+  face.total = arena_.take<bool>(n);
+  auto const [cos_i, sin2_i] = incidence(direction, face.normal);
+  face.cos_i = cos_i;
+  Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
+  Medium const& after = stage_.media[static_cast<std::size_t>(face.after)];
+  face.fresnel = before.fresnel || after.fresnel;
+  face.splits =
+      face.before != face.after && !beam.locked && (before.dispersive || after.dispersive);
+  if (!face.splits) {
+    double const n1 = index_of(face.before, beam);
+    double const n2 = index_of(face.after, beam);
+    face.bends = n1 != n2;
+    face.common = optics::fresnel<double>(n1, n2, n2 - n1, cos_i, sin2_i);
+    std::fill_n(face.reflectance, n, face.common.reflectance);
+    std::fill_n(face.transmittance, n, face.common.transmittance);
+    std::fill_n(face.total, n, face.common.total);
+    return;
+  }
+  face.bends = true;
+  face.split_medium = after.dispersive ? face.after : face.before;
+  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
+  bool const second = beam.monochromatic() || beam.lanes > stage_.channels;
+  face.split_wave = governing.jitter < 0 ? band_means
+                    : second             ? waves_.second_draw(governing.jitter)
+                                         : waves_.first_draw(governing.jitter);
+  auto const n1 = waves_.indices(face.before, face.split_wave);
+  auto const n2 = waves_.indices(face.after, face.split_wave);
+  face.per_lane = arena_.take<optics::Interface<double>>(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const c = beam.channel[k];
+    face.per_lane[k] = optics::fresnel<double>(n1[c], n2[c], n2[c] - n1[c], cos_i, sin2_i);
+    face.reflectance[k] = face.per_lane[k].reflectance;
+    face.transmittance[k] = face.per_lane[k].transmittance;
+    face.total[k] = face.per_lane[k].total;
+  }
+}
+
+void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
+  LaneInterface face;
+  InsideNode const* after = after_crossings(ray.inside, frame.hit);
+  face.before = medium_of(ray.inside);
+  face.after = medium_of(after);
+  Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
+  if (ray.inside != after && before.fade_power != 0)
+    for (int k = 0; k < beam.lanes; ++k)
+      beam.throughput[k] *= distance_fade(before, beam.channel[k], frame.hit.t);
+  find_normals(ray, frame, face);
+  find_interface(beam, ray.line.direction, face);
+  LaneSurface const surface = Shader(*this, ray, beam, frame, face, after).shade();
+  reflect(ray, beam, frame, face, surface);
+  transmit(ray, beam, frame, face, surface, after);
+}
+
+Beam Tracer::jittered(Beam const& beam, int jitter) {
+  JitterSettings const& settings = stage_.jitters[static_cast<std::size_t>(jitter)];
+  // Triangular jitter draws the wavelength from the band's own hat: its light is the band's, whole.
+  if (settings.jitter == scene::DispersionMode::Jitter::Triangular) return beam;
+  if (settings.faithful)
+    return !beam.monochromatic() && beam.lanes == stage_.channels ? doubled(beam, jitter) : beam;
+  Beam out = beam;
+  auto* slot = arena_.take<std::uint32_t>(static_cast<std::size_t>(beam.lanes));
+  for (int k = 0; k < beam.lanes; ++k)
+    slot[k] = beam.slot[k] < static_cast<std::uint32_t>(stage_.channels)
+                  ? film_.jittered_slot(jitter, beam.channel[k])
+                  : beam.slot[k];
+  out.slot = slot;
+  return out;
+}
+
+Beam Tracer::doubled(Beam const& beam, int jitter) {
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* channel = arena_.take<std::uint16_t>(2 * n);
+  auto* slot = arena_.take<std::uint32_t>(2 * n);
+  Beam out = beam;
+  out.lanes = 2 * beam.lanes;
+  out.locked = false;
+  out.throughput = arena_.take<double>(2 * n);
+  auto const spreads = waves_.spreads(waves_.first_draw(jitter));
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const& spread = spreads[beam.channel[k]];
+    channel[2 * k] = static_cast<std::uint16_t>(spread.first);
+    channel[2 * k + 1] = static_cast<std::uint16_t>(spread.second);
+    slot[2 * k] = film_.faithful_slot(jitter, beam.channel[k], false);
+    slot[2 * k + 1] = film_.faithful_slot(jitter, beam.channel[k], true);
+    out.throughput[2 * k] = beam.throughput[k] * spread.first_weight;
+    out.throughput[2 * k + 1] = beam.throughput[k] * spread.second_weight;
+  }
+  out.channel = channel;
+  out.slot = slot;
+  return out;
+}
+
+void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                     LaneSurface const& surface) {
+  bool const unasked = face.fresnel && !surface.explicit_reflection;
+  Arena::Scope const scope(arena_);
+  Beam mirrored = beam;
+  mirrored.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+  bool captures = surface.mirrors && surface.exponent != 1;
+  for (int k = 0; k < beam.lanes; ++k) {
+    double weight = surface.mirrored[k];
+    // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
+    if (face.total[k]) {
+      weight = any_above(surface.passed, beam.lanes, 0) ? 1 : weight;
+      captures = false;
+    } else if (unasked) {
+      weight = surface.passed[k] > 0 ? face.reflectance[k] : 0;
+    }
+    mirrored.throughput[k] = beam.throughput[k] * weight;
+  }
+  if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout)) return;
+  if (face.splits) {
+    Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
+    if (governing.jitter >= 0) mirrored = jittered(mirrored, governing.jitter);
+  }
+  frame.back.on = frame.hit.members;
+  frame.back.through = false;
+  Vec3 direction = optics::reflected(ray.line.direction, face.normal);
+  double const below = glm::dot(direction, face.geometric);
+  if (below < 0) // a smoothed normal must not send it through the surface
+    direction = glm::normalize(direction - face.geometric * (2 * below));
+  PathRay const next{{frame.hit.point, direction, frame.hit.point_error},
+                     &frame.back,
+                     ray.inside,
+                     ray.level + 1,
+                     reflection_bit};
+  ++counts_.reflected;
+  if (!captures) return trace(next, mirrored);
+
+  // `reflection { exponent }` bends the reflected light itself, so it is gathered apart first.
+  auto* gathered = arena_.take<double>(film_.size());
+  std::fill_n(gathered, film_.size(), 0.0);
+  double* const outer = out_;
+  out_ = gathered;
+  Beam unit = mirrored;
+  unit.throughput = arena_.take<double>(static_cast<std::size_t>(unit.lanes));
+  std::fill_n(unit.throughput, unit.lanes, 1.0);
+  trace(next, unit);
+  out_ = outer;
+  for (int k = 0; k < unit.lanes; ++k)
+    out_[unit.slot[k]] +=
+        mirrored.throughput[k] * std::pow(std::max(0.0, gathered[unit.slot[k]]), surface.exponent);
+}
+
+void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                      LaneSurface const& surface, InsideNode const* after) {
+  bool const unasked = face.fresnel && !surface.explicit_reflection;
+  Arena::Scope const scope(arena_);
+  Beam passed = beam;
+  passed.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+  for (int k = 0; k < beam.lanes; ++k) {
+    double const through = face.total[k] ? 0 : unasked ? face.transmittance[k] : 1;
+    passed.throughput[k] = beam.throughput[k] * surface.passed[k] * through;
+  }
+  if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout)) return;
+  frame.through.on = frame.hit.members;
+  frame.through.through = true;
+  if (face.splits) return split(ray, passed, frame, face, after);
+  PathRay next{{frame.hit.point, ray.line.direction, frame.hit.point_error},
+               &frame.through,
+               after,
+               ray.level,
+               ray.mask};
+  if (face.bends) {
+    next.line.direction = optics::refracted(face.common, ray.line.direction, face.normal);
+    ++next.level;
+  }
+  ++counts_.refracted;
+  trace(next, passed);
+}
+
+void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                   InsideNode const* after) {
+  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
+  bool const first = !beam.monochromatic() && beam.lanes == stage_.channels;
+  for (int k = 0; k < beam.lanes; ++k) {
+    if (!(beam.throughput[k] > stage_.adc_bailout)) continue;
+    Arena::Scope const scope(arena_);
+    // One lane of the beam, on the film where its kind of wavelength is added up.
+    Beam lane = beam;
+    lane.lanes = 1;
+    lane.channel += k;
+    lane.slot += k;
+    lane.throughput += k;
+    lane.wave = face.split_wave;
+    lane.wave_band = beam.channel[k];
+    lane.locked = true;
+    if (governing.jitter >= 0) {
+      bool const faithful = stage_.jitters[static_cast<std::size_t>(governing.jitter)].faithful;
+      lane = faithful && first ? doubled(lane, governing.jitter) : jittered(lane, governing.jitter);
+    }
+    PathRay const next{{frame.hit.point,
+                        optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
+                        frame.hit.point_error},
+                       &frame.through,
+                       after,
+                       ray.level + 1,
+                       ray.mask};
+    ++counts_.monochromatic;
+    trace(next, lane);
+  }
+}
+
+} // namespace abbe::render
