@@ -92,7 +92,10 @@ std::string to_text(Arguments const& arguments, image::Image const& reference,
 int compare_files(Arguments const& arguments) {
   if (!arguments.difference.empty()) { // before the work
     image::Status const writable = image::check_destination(arguments.difference);
-    if (!writable) return fail(writable.error());
+    if (!writable) {
+      int const status = fail(writable.error());
+      return writable.error().code == "E0512" ? 2 : status; // an extension that nothing writes
+    }
   }
   Result<image::Image> const reference = image::read(arguments.reference);
   if (!reference) return fail(reference.error());
