@@ -51,6 +51,7 @@ Object read_shape(Reader& in, geometry::ShapeKind const& kind) {
     object = nothing(span);
   } else {
     object.shape = std::move(placed->shape);
+    object.keyword = kind.keyword;
     object.placement = placed->placement;
   }
   object.span = span;

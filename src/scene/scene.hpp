@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace abbe::optics {
@@ -116,6 +117,7 @@ struct Object {
   Span span;
   Kind kind = Kind::Shape;
   geometry::ShapePtr shape;     ///< of Kind::Shape
+  std::string_view keyword;     ///< "sphere", of Kind::Shape
   std::vector<Object> children; ///< of the others
   std::vector<Object> clipped_by;
   geometry::Transform placement; ///< of the shape or of the children

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "lang/evaluate.hpp"
+
+#include "optics/conductor.hpp"
+#include "optics/glass.hpp"
+#include "optics/spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace abbe::lang {
+
+namespace {
+
+using scene::Colour;
+using scene::Object;
+using scene::Pigment;
+
+/// Nine digits, and no sign on zero.
+std::string text(double value) {
+  return fmt::format("{:.9g}", value == 0 ? 0.0 : value);
+}
+std::string text(Vec3 const& v) {
+  return fmt::format("<{}, {}, {}>", text(v.x), text(v.y), text(v.z));
+}
+Vec3 rgb_of(optics::Spectrum const& spectrum) {
+  if (spectrum.is_light_only()) return optics::light_rgb(spectrum);
+  auto const rgb = optics::reflectance_rgb(spectrum);
+  return rgb ? *rgb : Vec3(0);
+}
+std::string text(Colour const& c) {
+  std::string out = fmt::format("rgb {}", text(c.rgb));
+  if (c.filter != 0) out += fmt::format(" filter {}", text(c.filter));
+  if (c.transmit != 0) out += fmt::format(" transmit {}", text(c.transmit));
+  if (c.spectrum) out += fmt::format(" spectrum(rgb {})", text(rgb_of(*c.spectrum)));
+  return out;
+}
+/// Linear part by rows, then the offset.
+std::string text(Mat3 const& m, Vec3 const& offset) {
+  return fmt::format("[{} {} {}] + {}", text(Vec3(m[0][0], m[1][0], m[2][0])),
+                     text(Vec3(m[0][1], m[1][1], m[2][1])), text(Vec3(m[0][2], m[1][2], m[2][2])),
+                     text(offset));
+}
+
+std::string_view name(Object::Kind kind) {
+  switch (kind) {
+  case Object::Kind::Shape:
+    return "shape";
+  case Object::Kind::Union:
+    return "union";
+  case Object::Kind::Merge:
+    return "merge";
+  case Object::Kind::Intersection:
+    return "intersection";
+  case Object::Kind::Difference:
+    return "difference";
+  }
+  return "";
+}
+
+std::string text(scene::DispersionMode const& mode) {
+  using Mode = scene::DispersionMode;
+  switch (mode.kind) {
+  case Mode::Kind::Inherit:
+    return "inherit";
+  case Mode::Kind::None:
+    return "none";
+  case Mode::Kind::Deterministic:
+    return "deterministic";
+  case Mode::Kind::Stochastic:
+    break;
+  }
+  return fmt::format("stochastic jitter {} {}{}",
+                     mode.jitter == Mode::Jitter::Uniform ? "uniform" : "triangular",
+                     text(mode.jitter_width_bands), mode.faithful ? " faithful" : "");
+}
+
+class Dump {
+public:
+  std::string take() { return std::move(out_); }
+
+  void scene(scene::Scene const& s) {
+    settings(s.settings);
+    line("camera {} location {} direction {} up {} right {}",
+         s.camera.kind == scene::Camera::Kind::Perspective ? "perspective" : "orthographic",
+         text(s.camera.location), text(s.camera.direction), text(s.camera.up),
+         text(s.camera.right));
+    line("background {}", text(s.background));
+    if (s.sky_sphere) sky(*s.sky_sphere);
+    for (scene::Light const& l : s.lights) light(l);
+    for (Object const& o : s.objects) object(o, "");
+  }
+
+private:
+  template <class... A>
+  void line(fmt::format_string<A...> format, A&&... arguments) {
+    out_.append(static_cast<std::size_t>(2 * depth_), ' ');
+    fmt::format_to(std::back_inserter(out_), format, std::forward<A>(arguments)...);
+    out_ += '\n';
+  }
+  /// Indents what is written while it lives.
+  struct Deeper {
+    explicit Deeper(Dump& of) : of_(of) { ++of_.depth_; }
+    ~Deeper() { --of_.depth_; }
+    Dump& of_;
+  };
+
+  void placement(geometry::Transform const& t) {
+    if (!t.identity()) line("placement {}", text(t.linear, t.offset));
+  }
+
+  void settings(scene::Settings const& s) {
+    line(
+        "settings version {} adc_bailout {} max_trace_level {} ambient_light {} noise_generator {} "
+        "assumed_gamma {}",
+        text(s.version), text(s.adc_bailout), s.max_trace_level, text(s.ambient_light),
+        s.noise_generator,
+        s.assumed_gamma_srgb ? "srgb"
+        : s.assumed_gamma    ? text(*s.assumed_gamma)
+                             : "none");
+    scene::SpectralSettings const& p = s.spectral;
+    using Spacing = scene::SpectralSettings::Spacing;
+    line("spectral {} bands {} range {} {} spacing {} dispersion {} unit {}",
+         p.requested ? "requested" : "default", p.bands, text(p.low_nm), text(p.high_nm),
+         p.spacing == Spacing::Uniform ? "uniform"
+         : p.spacing == Spacing::Hall  ? "hall"
+                                       : "boundaries",
+         text(p.dispersion), text(p.mm_per_unit));
+    if (p.spacing != Spacing::Boundaries) return;
+    Deeper const deeper(*this);
+    std::string edges;
+    for (double const edge : p.boundaries_nm) edges += " " + text(edge);
+    line("boundaries{}", edges);
+  }
+
+  void sky(scene::SkySphere const& s) {
+    line("sky_sphere emission {}", text(s.emission));
+    Deeper const deeper(*this);
+    placement(s.placement);
+    for (Pigment const& p : s.pigments) pigment(p, "pigment");
+  }
+
+  void light(scene::Light const& l) {
+    using Kind = scene::Light::Kind;
+    std::string rest;
+    if (l.kind != Kind::Point) rest += " point_at " + text(l.point_at);
+    if (l.kind == Kind::Spot)
+      rest += fmt::format(" radius {} falloff {} tightness {}", text(l.radius_deg),
+                          text(l.falloff_deg), text(l.tightness));
+    if (l.shadowless) rest += " shadowless";
+    if (l.fade_power != 0 || l.fade_distance != 0)
+      rest +=
+          fmt::format(" fade_distance {} fade_power {}", text(l.fade_distance), text(l.fade_power));
+    line("light {} position {} {}{}",
+         l.kind == Kind::Point  ? "point"
+         : l.kind == Kind::Spot ? "spot"
+                                : "parallel",
+         text(l.position), text(l.colour), rest);
+  }
+
+  void object(Object const& o, std::string_view role) {
+    std::string flags;
+    auto const flag = [&](std::optional<bool> on, std::string_view word) {
+      if (on.value_or(false)) flags += fmt::format(" {}", word);
+    };
+    flag(o.inverse, "inverse");
+    flag(o.hollow, "hollow");
+    flag(o.no_shadow, "no_shadow");
+    flag(o.no_image, "no_image");
+    flag(o.no_reflection, "no_reflection");
+    flag(o.double_illuminate, "double_illuminate");
+    bool const shape = o.kind == Object::Kind::Shape;
+    line("{}{}{}", role, shape ? o.keyword : name(o.kind), flags);
+    Deeper const deeper(*this);
+    if (shape) surface(o);
+    for (Object const& clip : o.clipped_by) object(clip, "clipped_by ");
+    for (Object const& child : o.children) object(child, "");
+  }
+
+  void surface(Object const& o) {
+    if (o.shape) {
+      geometry::Bounds const b = o.shape->bounds();
+      if (b.infinite)
+        line("bounds infinite");
+      else
+        line("bounds {} {}", text(b.low), text(b.high));
+    }
+    placement(o.placement);
+    if (o.texture)
+      for (scene::Texture const& t : *o.texture) texture(t, "texture");
+    if (o.interior_texture)
+      for (scene::Texture const& t : *o.interior_texture) texture(t, "interior_texture");
+    for (scene::Layers const& layers : o.face_textures)
+      for (scene::Texture const& t : layers) texture(t, "face_texture");
+    if (o.interior) interior(*o.interior);
+  }
+
+  void texture(scene::Texture const& t, std::string_view role) {
+    line("{}", role);
+    Deeper const deeper(*this);
+    placement(t.placement);
+    pigment(t.pigment, "pigment");
+    finish(t.finish);
+  }
+
+  void pigment(Pigment const& p, std::string const& role) {
+    if (!p.pattern) return line("{} {}", role, text(p.colour));
+    texture::PatternModifiers const& m = p.pattern->modifiers;
+    std::string rest;
+    if (m.turbulence)
+      rest +=
+          fmt::format(" turbulence {} octaves {} omega {} lambda {}", text(m.turbulence->amount),
+                      m.turbulence->octaves, text(m.turbulence->omega), text(m.turbulence->lambda));
+    if (m.frequency) rest += " frequency " + text(*m.frequency);
+    if (m.phase != 0) rest += " phase " + text(m.phase);
+    if (m.wave) rest += fmt::format(" wave {}", static_cast<int>(*m.wave));
+    // A pattern has no name here: its values at two places tell which it is.
+    line("{} pattern value {} {} noise_generator {}{}", role,
+         text(p.pattern->evaluate(Vec3(0.3, 0.7, 1.9))),
+         text(p.pattern->evaluate(Vec3(-1.1, 2.3, 0.4))), m.noise_generator, rest);
+    Deeper const deeper(*this);
+    for (texture::Mapping const& mapping : p.pattern->mappings)
+      line("mapping {}", text(mapping.linear, mapping.offset));
+    for (Pigment::Entry const& entry : p.entries)
+      pigment(*entry.pigment, fmt::format("[{}]", text(entry.value)));
+  }
+
+  void finish(scene::Finish const& f) {
+    line("finish ambient {} emission {} diffuse {} {} brilliance {} phong {} {} specular {} {} "
+         "metallic {}{}",
+         text(f.ambient), text(f.emission), text(f.diffuse), text(f.diffuse_back),
+         text(f.brilliance), text(f.phong), text(f.phong_size), text(f.specular), text(f.roughness),
+         text(f.metallic), f.conserve_energy ? " conserve_energy" : "");
+    if (!f.reflection) return;
+    Deeper const deeper(*this);
+    scene::Reflection const& r = *f.reflection;
+    line("reflection {} to {}{} falloff {} exponent {} metallic {}{}", text(r.minimum),
+         text(r.maximum), r.fresnel ? " fresnel" : "", text(r.falloff), text(r.exponent),
+         text(r.metallic), r.metal ? " metal " + r.metal->name() : "");
+  }
+
+  void interior(scene::Interior const& i) {
+    std::string const glass = i.glass
+                                  ? fmt::format("glass \"{}\" nd {} Vd {}{}", i.glass->full_name(),
+                                                i.glass->nd() ? text(*i.glass->nd()) : "-",
+                                                i.glass->vd() ? text(*i.glass->vd()) : "-",
+                                                i.glass->absorbs() ? " absorbs" : "")
+                                  : fmt::format("ior {} dispersion {} samples {}", text(i.ior),
+                                                text(i.pov_dispersion), i.pov_dispersion_samples);
+    line("interior {} mode {} caustics {} fade_distance {} fade_power {} fade_color {}", glass,
+         text(i.dispersion), text(i.caustics), text(i.fade_distance), text(i.fade_power),
+         text(i.fade_colour));
+  }
+
+  std::string out_;
+  int depth_ = 0;
+};
+
+} // namespace
+
+std::string dump_scene(scene::Scene const& scene) {
+  Dump dump;
+  dump.scene(scene);
+  return dump.take();
+}
+
+} // namespace abbe::lang
