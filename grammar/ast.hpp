@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Name {
   Span span;
   std::string text;
   bool reserved = false;
+  mutable std::uint32_t symbol = 0; ///< the interpreter's number for `text`, 0 until it is needed
 };
 
 struct Number {
@@ -55,7 +57,18 @@ struct LiteralVector {
 
 enum class UnaryOp : std::uint8_t { Plus, Minus, Not };
 enum class BinaryOp : std::uint8_t {
-  Add, Sub, Mul, Div, And, Or, Less, LessEqual, Equal, NotEqual, GreaterEqual, Greater
+  Add,
+  Sub,
+  Mul,
+  Div,
+  And,
+  Or,
+  Less,
+  LessEqual,
+  Equal,
+  NotEqual,
+  GreaterEqual,
+  Greater
 };
 
 struct Vector;
@@ -70,17 +83,18 @@ struct Array;
 struct Function;
 struct Block;
 
-struct Expr : x3::variant<Number, LiteralVector, Name, String, x3::forward_ast<Vector>,
-                          x3::forward_ast<Unary>, x3::forward_ast<Binary>,
-                          x3::forward_ast<Conditional>, x3::forward_ast<Member>,
-                          x3::forward_ast<Index>, x3::forward_ast<Call>, x3::forward_ast<Paren>,
-                          x3::forward_ast<Array>, x3::forward_ast<Function>,
-                          x3::forward_ast<Block>> {
+struct Expr
+    : x3::variant<Number, LiteralVector, Name, String, x3::forward_ast<Vector>,
+                  x3::forward_ast<Unary>, x3::forward_ast<Binary>, x3::forward_ast<Conditional>,
+                  x3::forward_ast<Member>, x3::forward_ast<Index>, x3::forward_ast<Call>,
+                  x3::forward_ast<Paren>, x3::forward_ast<Array>, x3::forward_ast<Function>,
+                  x3::forward_ast<Block>> {
   using base_type::base_type;
   using base_type::operator=;
 };
 
-/// `<e, e, ...>`, two to five components; directives and macro calls may yield some of them.
+/// `<e, e, ...>`: two to five components, or the many coefficients of `quartic` and `poly`;
+/// directives and macro calls may yield some of them.
 struct Vector {
   Span span;
   Items components;
@@ -128,7 +142,8 @@ struct Paren {
   Span span;
   Items items;
 };
-/// `array[3][2] { {a, b} ... }`; elements are flattened rows: nested braces are Blocks without a head.
+/// `array[3][2] { {a, b} ... }`; elements are flattened rows: nested braces are Blocks without a
+/// head.
 struct Array {
   Span span;
   std::vector<Expr> sizes;
@@ -145,8 +160,8 @@ struct Function {
   std::vector<Expr> sizes;
   Items body; ///< one Expr as a rule; directives and macro calls may stand inside
 };
-/// `word { items }`, the general form of every object, texture, finish, map ...; the head is empty for
-/// a bare `{ items }` (rows of arrays). `spectrum`, `glass` and the like have no other form.
+/// `word { items }`, the general form of every object, texture, finish, map ...; the head is empty
+/// for a bare `{ items }` (rows of arrays). `spectrum`, `glass` and the like have no other form.
 struct Block {
   Span span;
   Name head;
@@ -177,8 +192,9 @@ struct If {
   struct Branch {
     Span span;
     enum class Test : std::uint8_t { If, Ifdef, Ifndef, Else } test = Test::If;
-    Expr condition; ///< for Ifdef and Ifndef a Name or Index; for Else unused
+    Expr condition; ///< for Ifdef and Ifndef a Name or Index; for Else unused; a Paren otherwise
     Items items;
+    std::uint8_t open_blocks = 0; ///< 1 when the last item is a block that this branch leaves open
   };
   std::vector<Branch> branches;
   /// A branch may open blocks it does not close (`#if(M) merge { #else union { #end ... }`). Then
@@ -217,9 +233,11 @@ struct Declare {
   Span span;
   bool local = false;
   bool deprecated = false;
+  bool deprecated_once = false;
+  String deprecation; ///< the message of `deprecated "..."`, its span invalid when there is none
   Expr target;
-  /// One expression as a rule (a block is one too); more for fragments (`color rgb <1,0,0> filter .5`,
-  /// old-style `texture { ... } finish { ... }` without a block stays one item each).
+  /// One expression as a rule (a block is one too); more for fragments (`color rgb <1,0,0> filter
+  /// .5`, old-style `texture { ... } finish { ... }` without a block stays one item each).
   Items value;
   bool has_semicolon = false;
 };
@@ -238,10 +256,10 @@ struct Directive {
   Items arguments; ///< a block for default, names and expressions else
 };
 
-struct Item : x3::variant<Expr, Word, Bracket, Punctuation, x3::forward_ast<If>,
-                          x3::forward_ast<While>, x3::forward_ast<For>, x3::forward_ast<Switch>,
-                          x3::forward_ast<Declare>, x3::forward_ast<Macro>,
-                          x3::forward_ast<Directive>> {
+struct Item
+    : x3::variant<Expr, Word, Bracket, Punctuation, x3::forward_ast<If>, x3::forward_ast<While>,
+                  x3::forward_ast<For>, x3::forward_ast<Switch>, x3::forward_ast<Declare>,
+                  x3::forward_ast<Macro>, x3::forward_ast<Directive>> {
   using base_type::base_type;
   using base_type::operator=;
 };
@@ -252,16 +270,49 @@ struct Document {
   Items items;
 };
 
-/// Calls `f` with the node inside (forward_ast unwrapped).
+namespace detail {
+template <class T>
+T const& unwrap(T const& node) {
+  return node;
+}
+template <class T>
+T& unwrap(T& node) {
+  return node;
+}
+template <class T>
+T const& unwrap(x3::forward_ast<T> const& node) {
+  return node.get();
+}
+template <class T>
+T& unwrap(x3::forward_ast<T>& node) {
+  return node.get();
+}
+} // namespace detail
+
+/// Calls `f` with the node inside (forward_ast unwrapped). Of an Item that is an expression, `f`
+/// gets the Expr. All calls return the same type.
 template <class Visitor, class Variant>
 decltype(auto) visit(Visitor&& f, Variant&& v) {
-  return boost::apply_visitor(std::forward<Visitor>(f), std::forward<Variant>(v).get());
+  auto inner = [&f](auto& node) -> decltype(auto) { return f(detail::unwrap(node)); };
+  return boost::apply_visitor(inner, v.get());
 }
-/// The node if it is a T, else nullptr.
+/// The node if it is a T, else nullptr. An Item is looked into: get_if<Name>(item) finds the Name
+/// in the Expr.
 template <class T, class Variant>
 T const* get_if(Variant const& v) {
-  if (T const* plain = boost::get<T>(&v.get())) return plain;
+  if (T const* plain = boost::relaxed_get<T>(&v.get())) return plain;
+  if (auto const* forward = boost::relaxed_get<x3::forward_ast<T>>(&v.get()))
+    return forward->get_pointer();
+  if constexpr (std::is_same_v<Variant, Item> && !std::is_same_v<T, Expr>)
+    if (Expr const* expression = boost::relaxed_get<Expr>(&v.get())) return get_if<T>(*expression);
   return nullptr;
 }
+/// Where a node, expression or item stands.
+Span span_of(Expr const& expression);
+Span span_of(Item const& item);
+
+// Lists of items grow by moving them: a copy would be a deep one.
+static_assert(std::is_nothrow_move_constructible_v<Expr>);
+static_assert(std::is_nothrow_move_constructible_v<Item>);
 
 } // namespace abbe::ast

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "grammar/terminals.hpp"
+
+/// X3 directives (parsers around a parser) for what recurs in this grammar: lists, brackets, bodies
+/// and chains of operators. They stand where other grammars need semantic actions.
+namespace abbe::grammar {
+
+/// @throws SyntaxError E0110 "expected <what>, found <the token at `at`>"
+[[noreturn]] void throw_expected(std::string const& what, Iterator at, Iterator last);
+/// @throws SyntaxError E0111 "expected '}' to close the block opened here, found ..."
+[[noreturn]] void throw_unclosed(char const* closer, char const* what, Iterator opener,
+                                 Iterator opener_end, Iterator at, Iterator last);
+/// @throws SyntaxError E0701, E0702
+[[noreturn]] void throw_too_deep(Iterator at);
+[[noreturn]] void throw_too_high(Iterator begin, Iterator end);
+/// Does `#else`, `#elseif` or `#end` stand at `at`?
+bool at_branch_end(Iterator at, Iterator last);
+
+/// One level deeper. Restores depth unless an exception passes.
+struct Nest {
+  Nest(State& state, Iterator at) : state_(state) {
+    if (++state.depth > max_nesting) throw_too_deep(at);
+    if (state.height < state.depth) state.height = state.depth;
+  }
+  void leave() { --state_.depth; }
+  State& state_;
+};
+
+/// Items with any commas between and around them.
+template <class Subject>
+struct ListDirective : x3::unary_parser<Subject, ListDirective<Subject>> {
+  using x3::unary_parser<Subject, ListDirective<Subject>>::unary_parser;
+  using attribute_type = std::vector<typename x3::traits::attribute_of<Subject, Context>::type>;
+  static bool const has_attribute = true;
+  static bool const handles_container = true;
+
+  template <class AnyContext, class RContext, class Actual>
+  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
+             Actual& items) const {
+    for (;;) {
+      first = skip_blanks(first, last);
+      while (first != last && *first == ',') first = skip_blanks(first + 1, last);
+      items.emplace_back();
+      if (!this->subject.parse(first, last, context, rcontext, items.back())) break;
+    }
+    items.pop_back();
+    return true;
+  }
+};
+
+/// The subject between an opening and a closing mark, read in the given flavour.
+template <class Subject>
+struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, Labelled {
+  constexpr BracketDirective(Subject const& inner, char open, char close, char const* what,
+                             Flavour flavour)
+      : x3::unary_parser<Subject, BracketDirective<Subject>>(inner),
+        open_(open),
+        close_{close},
+        what_(what),
+        flavour_(flavour) {}
+  static bool const is_pass_through_unary = true;
+  static bool const handles_container = Subject::handles_container;
+
+  template <class AnyContext, class RContext, class Actual>
+  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
+             Actual& actual) const {
+    Iterator at = skip_blanks(first, last);
+    if (at == last || *at != open_) return false;
+    Iterator const opener = at++;
+    State& state = state_of(context);
+    Nest nest(state, opener);
+    bool const block = open_ == '{';
+    Flavour const flavour = state.flavour;
+    bool const may_leave_open = state.may_leave_open;
+    state.flavour = flavour_ == Flavour::Bare && flavour == Flavour::Function && open_ == '('
+                        ? Flavour::Function
+                        : flavour_;
+    state.may_leave_open = may_leave_open && block;
+    ++state.brackets;
+    state.braces += block;
+    if (!this->subject.parse(at, last, context, rcontext, actual)) throw_expected(what_, at, last);
+    at = skip_blanks(at, last);
+    if (at != last && *at == close_[0])
+      ++at;
+    else if (state.may_leave_open && at_branch_end(at, last))
+      ++state.left_open;
+    else
+      throw_unclosed(close_, what_, opener, opener + 1, at, last);
+    state.flavour = flavour;
+    state.may_leave_open = may_leave_open;
+    --state.brackets;
+    state.braces -= block;
+    nest.leave();
+    first = at;
+    return true;
+  }
+  std::string label() const { return {'\'', open_, '\''}; }
+  char open_;
+  char close_[2];
+  char const* what_;
+  Flavour flavour_;
+};
+
+/// `between('{', '}', "block", Flavour::Bare)[items]`.
+struct BracketMaker {
+  template <class Subject>
+  constexpr auto operator[](Subject const& inner) const {
+    using Parser = typename x3::extension::as_parser<Subject>::value_type;
+    return BracketDirective<Parser>(x3::as_parser(inner), open, close, what, flavour);
+  }
+  char open;
+  char close;
+  char const* what;
+  Flavour flavour;
+};
+constexpr BracketMaker between(char open, char close, char const* what, Flavour flavour) {
+  return {open, close, what, flavour};
+}
+
+/// The body of a directive up to (not including) `#end` or `#else`. In a branch of #if, blocks may
+/// stay open; their number is left in state.left_open.
+template <class Subject>
+struct BodyDirective : x3::unary_parser<Subject, BodyDirective<Subject>> {
+  constexpr BodyDirective(Subject const& inner, bool branch)
+      : x3::unary_parser<Subject, BodyDirective<Subject>>(inner), branch_(branch) {}
+  static bool const is_pass_through_unary = true;
+  static bool const handles_container = Subject::handles_container;
+
+  template <class AnyContext, class RContext, class Actual>
+  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
+             Actual& actual) const {
+    State& state = state_of(context);
+    bool const may_leave_open = state.may_leave_open;
+    state.may_leave_open = branch_;
+    state.left_open = 0;
+    bool const matched = this->subject.parse(first, last, context, rcontext, actual);
+    state.may_leave_open = may_leave_open;
+    return matched;
+  }
+  bool branch_;
+};
+struct BodyMaker {
+  template <class Subject>
+  constexpr auto operator[](Subject const& inner) const {
+    using Parser = typename x3::extension::as_parser<Subject>::value_type;
+    return BodyDirective<Parser>(x3::as_parser(inner), branch);
+  }
+  bool branch;
+};
+inline constexpr BodyMaker body{false};
+inline constexpr BodyMaker branch_body{true};
+
+/// A directive from its word to its `#end`.
+template <class Subject>
+struct UntilEndDirective : x3::unary_parser<Subject, UntilEndDirective<Subject>> {
+  using x3::unary_parser<Subject, UntilEndDirective<Subject>>::unary_parser;
+  static bool const is_pass_through_unary = true;
+  static bool const handles_container = Subject::handles_container;
+
+  template <class AnyContext, class RContext, class Actual>
+  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
+             Actual& actual) const {
+    Iterator at = skip_blanks(first, last);
+    if (at == last || *at != '#') return false;
+    Iterator const opener = at;
+    State& state = state_of(context);
+    Nest nest(state, opener);
+    ++state.directives;
+    if (!this->subject.parse(at, last, context, rcontext, actual)) {
+      --state.directives;
+      nest.leave();
+      return false;
+    }
+    Iterator const end = skip_blanks(at, last);
+    std::string_view const word = directive_at(end, last);
+    if (word != "end")
+      throw_unclosed("#end", "directive", opener, next_token(opener, last).end, end, last);
+    --state.directives;
+    nest.leave();
+    first = word.data() + word.size();
+    return true;
+  }
+};
+struct UntilEndMaker {
+  template <class Subject>
+  constexpr auto operator[](Subject const& inner) const {
+    using Parser = typename x3::extension::as_parser<Subject>::value_type;
+    return UntilEndDirective<Parser>(x3::as_parser(inner));
+  }
+};
+inline constexpr UntilEndMaker until_end{};
+
+/// Puts the subject's attribute into one member: for nodes that have only one.
+template <class Node, class Member, class Subject>
+struct IntoDirective : x3::unary_parser<Subject, IntoDirective<Node, Member, Subject>> {
+  constexpr IntoDirective(Subject const& inner, Member Node::*member)
+      : x3::unary_parser<Subject, IntoDirective>(inner), member_(member) {}
+  using attribute_type = Node;
+  static bool const has_attribute = true;
+  static bool const handles_container = false;
+
+  template <class AnyContext, class RContext>
+  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
+             Node& node) const {
+    return this->subject.parse(first, last, context, rcontext, node.*member_);
+  }
+  Member Node::*member_;
+};
+template <class Node, class Member>
+struct IntoMaker {
+  template <class Subject>
+  constexpr auto operator[](Subject const& inner) const {
+    using Parser = typename x3::extension::as_parser<Subject>::value_type;
+    return IntoDirective<Node, Member, Parser>(x3::as_parser(inner), member);
+  }
+  Member Node::*member;
+};
+template <class Node, class Member>
+constexpr IntoMaker<Node, Member> into(Member Node::*member) {
+  return {member};
+}
+
+template <class Subject>
+constexpr auto list_of(Subject const& inner) {
+  using Parser = typename x3::extension::as_parser<Subject>::value_type;
+  return ListDirective<Parser>(x3::as_parser(inner));
+}
+
+} // namespace abbe::grammar
+
+namespace boost::spirit::x3::traits {
+template <class Subject, class Context>
+struct attribute_of<abbe::grammar::ListDirective<Subject>, Context> {
+  using type = std::vector<typename attribute_of<Subject, Context>::type>;
+};
+} // namespace boost::spirit::x3::traits

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "grammar/ast_adapted.hpp"
+#include "grammar/lexer.hpp"
+
+#include <boost/spirit/home/x3.hpp>
+
+/// What every rule of the grammar shares: iterator, context and the state of a parse.
+namespace abbe::grammar {
+
+namespace x3 = boost::spirit::x3;
+
+/// Which operators an expression may use: depends on what it stands in (pov-language 2.2 and 19).
+/// Bare: + - * / only (`<` would close a vector). Full: inside parentheses. Function: a function
+/// body.
+enum class Flavour : std::uint8_t { Bare, Full, Function };
+
+constexpr int max_nesting = 1000; ///< blocks, parentheses, vectors, bodies of directives
+constexpr int max_height =
+    4000; ///< of the tree, operators included: `lang` and destructors recurse
+
+/// Not restored when an exception passes, so that error recovery sees how deep it happened.
+struct State {
+  SourceFile const* source = nullptr;
+  Iterator begin = nullptr; ///< of the text
+  Flavour flavour = Flavour::Bare;
+  int depth = 0;
+  int height = 0;     ///< greatest depth of the tree so far, within the enclosing expression
+  int brackets = 0;   ///< open { ( [ < : 0 means that a statement may come
+  int braces = 0;     ///< of them '{'
+  int directives = 0; ///< open #if, #while ...
+  bool may_leave_open = false; ///< directly in a branch of #if: see ast::If::open_blocks
+  int left_open = 0;
+  Iterator path_word_end = nullptr; ///< end of `png`, `ttf` ...: a string right after it is a path
+
+  Span span(Iterator from, Iterator to) const {
+    return {source, static_cast<std::uint32_t>(from - begin),
+            static_cast<std::uint32_t>(to - begin)};
+  }
+};
+
+struct StateTag;
+using Context = x3::context<StateTag, State>;
+
+template <class AnyContext>
+State& state_of(AnyContext const& context) {
+  return x3::get<StateTag>(context);
+}
+
+/// Base of rule tags: sets `span` of the node, blanks in front of it left out. (X3's own annotation
+/// differs between Boost versions and misses operands inside variants.)
+struct tag_span {
+  template <class Node, class AnyContext>
+  void on_success(Iterator const& first, Iterator const& end, Node& node,
+                  AnyContext const& context) {
+    // X3 calls with (start, end of the match).
+    node.span = state_of(context).span(skip_blanks(first, end), end);
+  }
+};
+
+} // namespace abbe::grammar

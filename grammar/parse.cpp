@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "grammar/parse.hpp"
+
+#include "grammar/components.hpp"
+#include "grammar/item.hpp"
+#include "grammar/recover.hpp"
+
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+
+namespace abbe {
+namespace grammar {
+namespace {
+
+constexpr std::size_t max_errors = 20;
+
+Diagnostic to_diagnostic(SyntaxError const& error, State const& state) {
+  Diagnostic diagnostic{
+      error.code, Severity::Error, state.span(error.begin, error.end), error.message, {}};
+  if (error.note_begin != nullptr)
+    diagnostic.notes.push_back({state.span(error.note_begin, error.note_end), error.note});
+  return diagnostic;
+}
+
+/// X3 says what it expected and where it began to look, blanks and all.
+SyntaxError to_syntax_error(x3::expectation_failure<Iterator> const& failure, Iterator last) {
+  try {
+    throw_expected(failure.which(), failure.where(), last);
+  } catch (SyntaxError const& error) {
+    return error;
+  }
+}
+
+SyntaxError stray(Iterator at, Iterator last) {
+  Token const found = next_token(at, last);
+  if (found.kind == TokenKind::Unknown)
+    return {"E0101", found.begin, found.end,
+            fmt::format("{} has no meaning here", describe(found))};
+  if (found.kind == TokenKind::Directive)
+    return {"E0112", found.begin, found.end,
+            fmt::format("{} without a directive that it could belong to", describe(found))};
+  return {"E0112", found.begin, found.end,
+          fmt::format("{} stands where a statement should begin", describe(found))};
+}
+
+class Run {
+public:
+  explicit Run(SourceFile const& source) : last_(source.text().data() + source.text().size()) {
+    state_.source = &source;
+    state_.begin = source.text().data();
+    parsed_.document.source = &source;
+  }
+
+  Parsed operator()() {
+    Iterator at = state_.begin;
+    while (parsed_.errors.size() < max_errors) {
+      state_ = State{};
+      state_.source = parsed_.document.source;
+      state_.begin = state_.source->text().data();
+      SyntaxError error;
+      if (parse_items(at, error)) break;
+      parsed_.errors.push_back(to_diagnostic(error, state_));
+      at = resume(error.begin, last_, state_, pending_);
+    }
+    return std::move(parsed_);
+  }
+
+private:
+  /// Reads statements up to the end (true) or an error.
+  bool parse_items(Iterator& at, SyntaxError& error) {
+    auto const context = x3::make_context<StateTag>(state_);
+    ast::Items& all = parsed_.document.items;
+    std::size_t const before = all.size();
+    try {
+      for (;;) {
+        rules::items.parse(at, last_, context, x3::unused, all);
+        at = skip_blanks(at, last_);
+        if (at == last_) return true;
+        if (pending_.take(at, last_)) continue;
+        error = stray(at, last_);
+        return false;
+      }
+    } catch (SyntaxError const& thrown) {
+      error = thrown;
+    } catch (x3::expectation_failure<Iterator> const& thrown) {
+      error = to_syntax_error(thrown, last_);
+    }
+    if (all.size() > before) all.pop_back(); // the item that was being read
+    return false;
+  }
+
+  Iterator const last_;
+  State state_;
+  Pending pending_;
+  Parsed parsed_;
+};
+
+} // namespace
+} // namespace grammar
+
+Parsed parse(SourceFile const& source) {
+  if (source.text().size() > std::numeric_limits<std::uint32_t>::max()) {
+    Parsed parsed;
+    parsed.document.source = &source;
+    parsed.errors.push_back(
+        {"E0703", Severity::Error, {&source, 0, 0}, "this source is larger than 4 GiB", {}});
+    return parsed;
+  }
+  return grammar::Run(source)();
+}
+
+std::string dump_tokens(SourceFile const& source) {
+  static constexpr char const* kinds[] = {"end",         "number",   "string", "name",
+                                          "operand",     "function", "word",   "directive",
+                                          "punctuation", "unknown"};
+  std::string out;
+  grammar::Iterator at = source.text().data();
+  grammar::Iterator const last = at + source.text().size();
+  for (;;) {
+    grammar::Token const token = grammar::next_token(at, last);
+    if (token.kind == grammar::TokenKind::End) return out;
+    auto const place = source.place(static_cast<std::uint32_t>(token.begin - source.text().data()));
+    fmt::format_to(std::back_inserter(out), "{}:{} {} {}\n", place.line, place.column,
+                   kinds[static_cast<std::size_t>(token.kind)], token.text());
+    at = token.end;
+  }
+}
+
+} // namespace abbe
