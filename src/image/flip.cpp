@@ -20,13 +20,10 @@ struct Plane {
 
   Plane(int w, int h)
       : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-  /// Outside is what the border shows.
-  float at(int x, int y) const {
-    x = std::clamp(x, 0, width - 1);
-    y = std::clamp(y, 0, height - 1);
-    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
-                  + static_cast<std::size_t>(x)];
+  float* row(int y) {
+    return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
   }
+  float const* row(int y) const { return const_cast<Plane*>(this)->row(y); }
 };
 
 /// Weights at -radius .. radius.
@@ -45,26 +42,49 @@ double sum(Kernel const& kernel) {
   return total;
 }
 
-/// The sum over a window of `along_x(dx) along_y(dy)`, in two passes.
-Plane filter(Plane const& in, Kernel const& along_x, Kernel const& along_y) {
-  int const radius = static_cast<int>(along_x.size() / 2);
-  Plane rows(in.width, in.height);
+// Both passes run along the row in the inner loop, which vectorises; a pixel's terms are added in
+// the order of the kernel all the same. Outside the image is what its border shows.
+
+Plane filter_rows(Plane const& in, Kernel const& kernel) {
   Plane out(in.width, in.height);
-  auto const pass = [&](Plane const& from, Plane& to, Kernel const& kernel, int step_x,
-                        int step_y) {
-    std::size_t i = 0;
-    for (int y = 0; y < from.height; ++y)
-      for (int x = 0; x < from.width; ++x) {
-        double total = 0;
-        for (int k = -radius; k <= radius; ++k)
-          total += kernel[static_cast<std::size_t>(k + radius)]
-                   * from.at(x + k * step_x, y + k * step_y);
-        to.values[i++] = static_cast<float>(total);
-      }
-  };
-  pass(in, rows, along_x, 1, 0);
-  pass(rows, out, along_y, 0, 1);
+  auto const width = static_cast<std::size_t>(in.width);
+  std::size_t const radius = kernel.size() / 2;
+  std::vector<float> line(width + 2 * radius);
+  std::vector<double> total(width);
+  for (int y = 0; y < in.height; ++y) {
+    float const* from = in.row(y);
+    std::fill_n(line.begin(), radius, from[0]);
+    std::copy_n(from, width, line.begin() + static_cast<std::ptrdiff_t>(radius));
+    std::fill_n(line.end() - static_cast<std::ptrdiff_t>(radius), radius, from[width - 1]);
+    std::fill(total.begin(), total.end(), 0.0);
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (std::size_t x = 0; x < width; ++x) total[x] += kernel[k] * line[x + k];
+    std::transform(total.begin(), total.end(), out.row(y),
+                   [](double value) { return static_cast<float>(value); });
+  }
   return out;
+}
+
+Plane filter_columns(Plane const& in, Kernel const& kernel) {
+  Plane out(in.width, in.height);
+  auto const width = static_cast<std::size_t>(in.width);
+  int const radius = static_cast<int>(kernel.size() / 2);
+  std::vector<double> total(width);
+  for (int y = 0; y < in.height; ++y) {
+    std::fill(total.begin(), total.end(), 0.0);
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      float const* from = in.row(std::clamp(y + static_cast<int>(k) - radius, 0, in.height - 1));
+      for (std::size_t x = 0; x < width; ++x) total[x] += kernel[k] * from[x];
+    }
+    std::transform(total.begin(), total.end(), out.row(y),
+                   [](double value) { return static_cast<float>(value); });
+  }
+  return out;
+}
+
+/// The sum over a window of `along_x(dx) along_y(dy)`.
+Plane filter(Plane const& in, Kernel const& along_x, Kernel const& along_y) {
+  return filter_columns(filter_rows(in, along_x), along_y);
 }
 
 /// Contrast sensitivity: a_1 sqrt(pi / b_1) exp(-pi^2 r^2 / b_1) and the same with a_2, b_2; r in
