@@ -12,7 +12,7 @@ namespace abbe::optics {
 /// The first mistake is kept and returned by build().
 class GlassBuilder {
 public:
-  /// "SCHOTT/N-BK7" is split at its first '/' only by maker().
+  /// A name with its maker ("SCHOTT/N-BK7") may also be given whole; maker() then stays unused.
   explicit GlassBuilder(std::string name) : name_(std::move(name)) {}
   GlassBuilder& maker(std::string maker);
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double wanted_residual = 1e-12; // a thousandth of what is promised
 
+constexpr double small_residual = 1e-4;
+
 double largest(Vec3 const& v) {
   return std::max({v.x, v.y, v.z});
 }
@@ -23,48 +25,75 @@ double norm(Vec3 const& v) {
 /// Finds values in (0, 1) for a target with components in [0, 1].
 class Fit {
 public:
-  Fit(Bands const& bands, Vec3 const& target)
-      : bands_(bands), target_(target), values_(bands.centers().size()) {}
+  Fit(Bands const& bands, Vec3 const& target) : bands_(bands), target_(target) {}
 
   std::vector<double> run() {
-    fit_sigmoid();
+    Level const full = fine();
+    double const y = 2 * std::clamp(luminance(target_), 0.01, 0.99) - 1;
+    Vec3 coefficients(y / std::sqrt(1 - y * y), 0, 0);
+    // Many bands: the way from grey is found on groups of bands, then few full steps remain.
+    if (full.t.size() >= 4 * coarse_count) coefficients = fit_sigmoid(coarse(full), coefficients);
+    fit_sigmoid(full, coefficients);
     if (norm(residual_) > wanted_residual) correct();
     return std::move(values_);
   }
 
 private:
-  double abscissa(std::size_t i) const {
+  static constexpr std::size_t coarse_count = 24;
+
+  /// Places of the bands in -1..1 and what they are worth.
+  struct Level {
+    std::vector<double> t;
+    std::vector<Vec3> weight;
+  };
+
+  Level fine() const {
+    Level level;
     double const half = 0.5 * (bands_.hi_nm() - bands_.lo_nm());
-    return (bands_.centers()[i] - bands_.lo_nm()) / half - 1;
+    for (double const center : bands_.centers())
+      level.t.push_back((center - bands_.lo_nm()) / half - 1);
+    level.weight.assign(bands_.rgb_weights().begin(), bands_.rgb_weights().end());
+    return level;
+  }
+  static Level coarse(Level const& full) {
+    Level level{std::vector<double>(coarse_count, 0.0), std::vector<Vec3>(coarse_count, Vec3(0))};
+    std::vector<double> members(coarse_count, 0.0);
+    for (std::size_t i = 0; i < full.t.size(); ++i) {
+      std::size_t const k = i * coarse_count / full.t.size();
+      level.t[k] += full.t[i];
+      level.weight[k] += full.weight[i];
+      members[k] += 1;
+    }
+    for (std::size_t k = 0; k < coarse_count; ++k) level.t[k] /= members[k];
+    return level;
   }
 
-  /// Values and residual at the coefficients; the Jacobian d(rgb)/d(coefficients) if asked for.
-  Vec3 evaluate(Vec3 const& c, std::vector<double>& values, Mat3* jacobian) const {
+  /// Values and residual at the coefficients, and the Jacobian d(rgb)/d(coefficients).
+  Vec3 evaluate(Level const& level, Vec3 const& c, std::vector<double>& values,
+                Mat3& jacobian) const {
     Vec3 sum(0);
-    if (jacobian) *jacobian = Mat3(0);
+    jacobian = Mat3(0);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      double const t = abscissa(i);
+      double const t = level.t[i];
       double const x = c[0] + t * (c[1] + t * c[2]);
       double const r = 1 / std::sqrt(1 + x * x);
       values[i] = 0.5 + 0.5 * x * r;
-      Vec3 const& w = bands_.rgb_weights()[i];
+      Vec3 const& w = level.weight[i];
       sum += w * values[i];
-      if (!jacobian) continue;
       Vec3 const slope = w * (0.5 * r * r * r);
-      (*jacobian)[0] += slope;
-      (*jacobian)[1] += slope * t;
-      (*jacobian)[2] += slope * (t * t);
+      jacobian[0] += slope;
+      jacobian[1] += slope * t;
+      jacobian[2] += slope * (t * t);
     }
     return target_ - sum;
   }
 
-  /// Levenberg-Marquardt from grey: near the solution it is Newton's method.
-  void fit_sigmoid() {
-    double const grey = std::clamp(luminance(target_), 0.01, 0.99);
-    double const y = 2 * grey - 1;
-    Vec3 c(y / std::sqrt(1 - y * y), 0, 0);
+  /// Levenberg-Marquardt; near the solution it is Newton's method. Leaves the values and the
+  /// residual of the coefficients that it returns.
+  Vec3 fit_sigmoid(Level const& level, Vec3 c) {
     Mat3 jacobian;
-    residual_ = evaluate(c, values_, &jacobian);
+    values_.resize(level.t.size());
+    residual_ = evaluate(level, c, values_, jacobian);
     double damping = 1e-3;
     std::vector<double> trial(values_.size());
     constexpr int most_steps = 60;
@@ -72,21 +101,26 @@ private:
       Mat3 const transposed = glm::transpose(jacobian);
       Mat3 normal = transposed * jacobian;
       for (int k = 0; k < 3; ++k) normal[k][k] *= 1 + damping;
-      if (!(std::abs(glm::determinant(normal)) > 0)) return;
+      if (!(std::abs(glm::determinant(normal)) > 0)) return c;
       Vec3 const next = c + glm::inverse(normal) * (transposed * residual_);
       Mat3 next_jacobian;
-      Vec3 const next_residual = evaluate(next, trial, &next_jacobian);
+      Vec3 const next_residual = evaluate(level, next, trial, next_jacobian);
       if (glm::dot(next_residual, next_residual) < glm::dot(residual_, residual_)) {
+        // A saturated sigmoid creeps; the linear correction finishes what is left better.
+        bool const creeping =
+            norm(residual_) < small_residual && norm(next_residual) > 0.25 * norm(residual_);
         c = next;
         residual_ = next_residual;
         jacobian = next_jacobian;
         values_.swap(trial);
         damping *= 0.1;
+        if (creeping) return c;
       } else {
         damping *= 8;
-        if (!(damping < 1e12)) return;
+        if (!(damping < 1e12)) return c;
       }
     }
+    return c;
   }
 
   /// Adds the smallest change (in the mean square over wavelength) that takes the residual away,

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -108,7 +108,7 @@ TEST(GlassCatalogue, EveryRowHasItsPrintedNdAndVd) {
       double const error = std::abs(own / vd[0] - 1);
       // The printed Vd comes from indices of five or six decimals: nF - nC is good to some 1e-5 in
       // 0.01.
-      double const rounding = name.starts_with("SUMITA") ? 0.11 : scan.half_unit("Vd");
+      double const rounding = name.starts_with("SUMITA") ? 3.3e-3 * vd[0] : scan.half_unit("Vd");
       double const tolerance = fitted ? 3e-2 * vd[0] : rounding + 2e-4 * vd[0];
       // The sheet's 65.41 is not that of the published coefficients, 66.04.
       if (name != "SCHOTT/BOROFLOAT33") {
@@ -214,15 +214,17 @@ TEST(GlassCatalogue, ShortNamesAreTakenWhereUnique) {
   EXPECT_GE(library().makers().size(), 13u);
 }
 
-TEST(GlassCatalogue, FindsAnEntryInATenthOfAMillisecond) {
-  auto const start = std::chrono::steady_clock::now();
+TEST(GlassCatalogue, FindsAnEntryWithinAFifthOfAMillisecond) {
+  auto const start = std::clock();
   auto const opened = *DataLibrary::open(std::filesystem::path(ABBE_STDLIB_DIR) / "glass");
-  auto const middle = std::chrono::steady_clock::now();
+  auto const middle = std::clock();
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(opened.find("N-SF11").ok());
-  auto const end = std::chrono::steady_clock::now();
-  std::chrono::duration<double, std::micro> const open = middle - start, find = end - middle;
-  std::printf("open %.0f us, find %.1f us\n", open.count(), find.count() / 100);
-  EXPECT_LT(find.count() / 100, 2000); // a loaded machine; 30 us by itself
+  auto const end = std::clock();
+  double const to_us = 1e6 / CLOCKS_PER_SEC;
+  double const open = to_us * static_cast<double>(middle - start),
+               find = to_us * static_cast<double>(end - middle) / 100;
+  std::printf("open %.0f us, find %.1f us\n", open, find);
+  EXPECT_LT(find, 200); // processor time, so that other work on the machine does not count
 }
 
 TEST(DataLibrary, DamageIsReported) {

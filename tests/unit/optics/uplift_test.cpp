@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 
 namespace abbe::optics {
@@ -25,7 +25,7 @@ TEST(Uplift, RoundTripsTheWholeGamutForEveryNumberOfBands) {
     Bands const bands = *Bands::uniform(n);
     double worst = 0, low = 0, high = 1;
     int outside = 0;
-    auto const start = std::chrono::steady_clock::now();
+    std::clock_t const start = std::clock();
     for (int r = 0; r <= 16; ++r)
       for (int g = 0; g <= 16; ++g)
         for (int b = 0; b <= 16; ++b) {
@@ -36,11 +36,11 @@ TEST(Uplift, RoundTripsTheWholeGamutForEveryNumberOfBands) {
           low = std::min(low, *least);
           high = std::max(high, *most);
         }
-    std::chrono::duration<double, std::micro> const time = std::chrono::steady_clock::now() - start;
+    double const time_us = 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     EXPECT_LT(worst, 1e-9) << n;
     std::printf(
         "n %3d: worst %.1e, values %.3f..%.3f, outside [0,1]: %d of 4913, %.1f us a colour\n", n,
-        worst, low, high, outside, time.count() / 4913);
+        worst, low, high, outside, time_us / 4913);
     // With enough bands every sRGB colour is a reflectance.
     if (n >= 16) {
       EXPECT_GT(low, -0.05) << n;
