@@ -166,6 +166,10 @@ struct Block {
   Span span;
   Name head;
   Items items;
+  /// Not closed here, in a branch of an #if. Either the #if has `open_blocks`, and its `tail` goes
+  /// on with this block; or whatever is executed next, up to a Punctuation '}', belongs to it as
+  /// well.
+  bool open = false;
 };
 
 // ---------------------------------------------------------------------------------------- items
@@ -180,7 +184,8 @@ struct Bracket {
   Span span;
   Items items;
 };
-/// A lone `:` (`xyz(1,0,0): 2`) or `;`, which few contexts allow.
+/// A lone `:` (`xyz(1,0,0): 2`) or `;`, which few contexts allow. `}` closes the Block, `)` the
+/// #write, that another branch of an #if left `open`.
 struct Punctuation {
   Span span;
   char symbol = 0;
@@ -194,12 +199,12 @@ struct If {
     enum class Test : std::uint8_t { If, Ifdef, Ifndef, Else } test = Test::If;
     Expr condition; ///< for Ifdef and Ifndef a Name or Index; for Else unused; a Paren otherwise
     Items items;
-    std::uint8_t open_blocks = 0; ///< 1 when the last item is a block that this branch leaves open
   };
   std::vector<Branch> branches;
-  /// A branch may open blocks it does not close (`#if(M) merge { #else union { #end ... }`). Then
-  /// every branch that opens one has `open_blocks` > 0 and `tail` holds what follows `#end` inside
-  /// that block, whose last item in the branch is the block to be continued.
+  /// 1 when every branch ends in a Block that is `open` and closed behind `#end`, as in
+  /// `#if(M) merge { #else union { #end ... }`: then `tail` is what follows `#end` inside that
+  /// block, whichever it is. Where opening and closing lie further apart, this is 0 and
+  /// `Block::open` tells.
   std::uint8_t open_blocks = 0;
   Items tail;
 };
@@ -253,7 +258,8 @@ struct Macro {
 struct Directive {
   Span span;
   std::string word;
-  Items arguments; ///< a block for default, names and expressions else
+  Items arguments;   ///< a block for default, names and expressions else
+  bool open = false; ///< a #write whose ')' comes later: a Punctuation, in another branch of an #if
 };
 
 struct Item

@@ -40,11 +40,6 @@ void throw_too_high(Iterator begin, Iterator end) {
                     fmt::format("this expression has more than {} operators in a row", max_height)};
 }
 
-bool at_branch_end(Iterator at, Iterator last) {
-  std::string_view const word = directive_at(at, last);
-  return word == "else" || word == "elseif" || word == "end";
-}
-
 ast::Expr make_binary(State const& state, ast::BinaryOp op, ast::Expr left, ast::Expr right) {
   Span const whole{state.source, ast::span_of(left).begin, ast::span_of(right).end};
   return ast::Expr(ast::Binary{whole, op, std::move(left), std::move(right)});

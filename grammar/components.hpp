@@ -15,8 +15,13 @@ namespace abbe::grammar {
 /// @throws SyntaxError E0701, E0702
 [[noreturn]] void throw_too_deep(Iterator at);
 [[noreturn]] void throw_too_high(Iterator begin, Iterator end);
-/// Does `#else`, `#elseif` or `#end` stand at `at`?
-bool at_branch_end(Iterator at, Iterator last);
+/// See Structure.
+inline bool may_stay_open(State const& state, Iterator opener) {
+  return state.structure && state.structure->open.contains(opener);
+}
+inline bool closes_other(State const& state, Iterator closer) {
+  return state.structure && state.structure->close.contains(closer);
+}
 
 /// One level deeper. Restores depth unless an exception passes.
 struct Nest {
@@ -27,6 +32,11 @@ struct Nest {
   void leave() { --state_.depth; }
   State& state_;
 };
+
+/// A '#' that no word follows: POV-Ray passes over it, and a scene of its own has one.
+inline bool at_lone_hash(Iterator at, Iterator last) {
+  return *at == '#' && directive_at(at, last).empty();
+}
 
 /// Items with any commas between and around them.
 template <class Subject>
@@ -41,7 +51,8 @@ struct ListDirective : x3::unary_parser<Subject, ListDirective<Subject>> {
              Actual& items) const {
     for (;;) {
       first = skip_blanks(first, last);
-      while (first != last && *first == ',') first = skip_blanks(first + 1, last);
+      while (first != last && (*first == ',' || at_lone_hash(first, last)))
+        first = skip_blanks(first + 1, last);
       items.emplace_back();
       if (!this->subject.parse(first, last, context, rcontext, items.back())) break;
     }
@@ -73,23 +84,20 @@ struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, 
     Nest nest(state, opener);
     bool const block = open_ == '{';
     Flavour const flavour = state.flavour;
-    bool const may_leave_open = state.may_leave_open;
     state.flavour = flavour_ == Flavour::Bare && flavour == Flavour::Function && open_ == '('
                         ? Flavour::Function
                         : flavour_;
-    state.may_leave_open = may_leave_open && block;
     ++state.brackets;
     state.braces += block;
     if (!this->subject.parse(at, last, context, rcontext, actual)) throw_expected(what_, at, last);
     at = skip_blanks(at, last);
-    if (at != last && *at == close_[0])
+    bool const closed = at != last && *at == close_[0] && !closes_other(state, at);
+    if (closed)
       ++at;
-    else if (state.may_leave_open && at_branch_end(at, last))
-      ++state.left_open;
-    else
+    else if (!may_stay_open(state, opener))
       throw_unclosed(close_, what_, opener, opener + 1, at, last);
+    state.closed = closed;
     state.flavour = flavour;
-    state.may_leave_open = may_leave_open;
     --state.brackets;
     state.braces -= block;
     nest.leave();
@@ -118,39 +126,6 @@ struct BracketMaker {
 constexpr BracketMaker between(char open, char close, char const* what, Flavour flavour) {
   return {open, close, what, flavour};
 }
-
-/// The body of a directive up to (not including) `#end` or `#else`. In a branch of #if, blocks may
-/// stay open; their number is left in state.left_open.
-template <class Subject>
-struct BodyDirective : x3::unary_parser<Subject, BodyDirective<Subject>> {
-  constexpr BodyDirective(Subject const& inner, bool branch)
-      : x3::unary_parser<Subject, BodyDirective<Subject>>(inner), branch_(branch) {}
-  static bool const is_pass_through_unary = true;
-  static bool const handles_container = Subject::handles_container;
-
-  template <class AnyContext, class RContext, class Actual>
-  bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
-             Actual& actual) const {
-    State& state = state_of(context);
-    bool const may_leave_open = state.may_leave_open;
-    state.may_leave_open = branch_;
-    state.left_open = 0;
-    bool const matched = this->subject.parse(first, last, context, rcontext, actual);
-    state.may_leave_open = may_leave_open;
-    return matched;
-  }
-  bool branch_;
-};
-struct BodyMaker {
-  template <class Subject>
-  constexpr auto operator[](Subject const& inner) const {
-    using Parser = typename x3::extension::as_parser<Subject>::value_type;
-    return BodyDirective<Parser>(x3::as_parser(inner), branch);
-  }
-  bool branch;
-};
-inline constexpr BodyMaker body{false};
-inline constexpr BodyMaker branch_body{true};
 
 /// A directive from its word to its `#end`.
 template <class Subject>

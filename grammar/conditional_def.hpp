@@ -13,8 +13,8 @@ struct ForId : tag_span {};
 struct SwitchId : tag_span {};
 struct ClauseId : tag_span {};
 struct IfId : tag_span {};
-struct BranchId : tag_branch {};
-struct MoreId : tag_branch {};
+struct BranchId : tag_span {};
+struct MoreId : tag_span {};
 
 using Test = ast::If::Branch::Test;
 using Kind = ast::Switch::Clause::Kind;
@@ -28,15 +28,13 @@ auto const named_condition_def = mark('(') > reference > mark(')');
 auto const test = [](auto const& word, Test kind) { return x3::omit[word] >> x3::attr(kind); };
 
 x3::rule<BranchId, ast::If::Branch> const branch = "'#if'";
-auto const branch_def =
-    (test(hash("if"), Test::If) > condition > branch_body[items])
-    | (test(hash("ifdef"), Test::Ifdef) > named_condition > branch_body[items])
-    | (test(hash("ifndef"), Test::Ifndef) > named_condition > branch_body[items]);
+auto const branch_def = (test(hash("if"), Test::If) > condition > items)
+                        | (test(hash("ifdef"), Test::Ifdef) > named_condition > items)
+                        | (test(hash("ifndef"), Test::Ifndef) > named_condition > items);
 
 x3::rule<MoreId, ast::If::Branch> const more = "'#else'";
-auto const more_def =
-    (test(hash("elseif"), Test::If) > condition > branch_body[items])
-    | (test(hash("else"), Test::Else) > x3::attr(ast::Expr{}) > branch_body[items]);
+auto const more_def = (test(hash("elseif"), Test::If) > condition > items)
+                      | (test(hash("else"), Test::Else) > x3::attr(ast::Expr{}) > items);
 
 x3::rule<IfId, ast::If> const if_ = "'#if'";
 auto const if__def =
@@ -44,12 +42,11 @@ auto const if__def =
 
 // ----------------------------------------------------------------------------------------- loops
 x3::rule<WhileId, ast::While> const while_ = "'#while'";
-auto const while__def = until_end[x3::omit[hash("while")] > condition > body[items]];
+auto const while__def = until_end[x3::omit[hash("while")] > condition > items];
 
 x3::rule<ForId, ast::For> const for_ = "'#for'";
-auto const for__def =
-    until_end[x3::omit[hash("for")] > mark('(') > NewName("a counter") > -mark(',')
-              > (full_expression % -mark(',')) > mark(')') > body[items]];
+auto const for__def = until_end[x3::omit[hash("for")] > mark('(') > NewName("a counter")
+                                > -mark(',') > (full_expression % -mark(',')) > mark(')') > items];
 
 // --------------------------------------------------------------------------------------- #switch
 auto const kind = [](auto const& word, Kind which) { return x3::omit[word] >> x3::attr(which); };
@@ -60,9 +57,9 @@ auto const two_bounds_def = mark('(') > full_expression > -mark(',') > full_expr
 
 x3::rule<ClauseId, ast::Switch::Clause> const clause = "'#case'";
 auto const clause_def =
-    (kind(hash("case"), Kind::Case) > one_bound > body[items])
-    | (kind(hash("range"), Kind::Range) > two_bounds > body[items])
-    | (kind(hash("else"), Kind::Else) > x3::attr(std::vector<ast::Expr>{}) > body[items]);
+    (kind(hash("case"), Kind::Case) > one_bound > items)
+    | (kind(hash("range"), Kind::Range) > two_bounds > items)
+    | (kind(hash("else"), Kind::Else) > x3::attr(std::vector<ast::Expr>{}) > items);
 
 x3::rule<SwitchId, ast::Switch> const switch_ = "'#switch'";
 auto const switch__def = until_end[x3::omit[hash("switch")] > condition > *clause];

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "grammar/ast_adapted.hpp"
-#include "grammar/lexer.hpp"
+#include "grammar/structure.hpp"
 
 #include <boost/spirit/home/x3.hpp>
+#include <optional>
 
 /// What every rule of the grammar shares: iterator, context and the state of a parse.
 namespace abbe::grammar {
@@ -30,9 +31,11 @@ struct State {
   int brackets = 0;   ///< open { ( [ < : 0 means that a statement may come
   int braces = 0;     ///< of them '{'
   int directives = 0; ///< open #if, #while ...
-  bool may_leave_open = false; ///< directly in a branch of #if: see ast::If::open_blocks
-  int left_open = 0;
+  bool closed = true; ///< was the last bracket closed (or left to another branch)?
   Iterator path_word_end = nullptr; ///< end of `png`, `ttf` ...: a string right after it is a path
+
+  Iterator end = nullptr;             ///< of the text
+  std::optional<Structure> structure; ///< made at the first #if
 
   Span span(Iterator from, Iterator to) const {
     return {source, static_cast<std::uint32_t>(from - begin),

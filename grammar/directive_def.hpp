@@ -5,12 +5,13 @@
 #include "grammar/directive.hpp"
 #include "grammar/expression.hpp"
 #include "grammar/item.hpp"
+#include "grammar/open_blocks.hpp"
 
 namespace abbe::grammar::rules {
 
 struct DeclareId : tag_span {};
 struct MacroId : tag_span {};
-struct PlainId : tag_span {};
+struct PlainId : tag_open {};
 
 // ------------------------------------------------------------------------------------- arguments
 x3::rule<struct ValueItemId, ast::Item> const value_item = "a value";
@@ -55,13 +56,14 @@ x3::rule<DeclareId, ast::Declare> const declare = "'#declare'";
 auto const declare_def = is_local > x3::matches[keyword("deprecated")]
                          > x3::matches[keyword("once")]
                          > (StringLiteral{} | x3::attr(ast::String{})) > target > mark('=')
-                         > declare_value(operand, expression, conditional) > x3::matches[mark(';')];
+                         > declare_value(operand, expression, conditional | plain)
+                         > x3::matches[mark(';')];
 
 x3::rule<MacroId, ast::Macro> const macro = "'#macro'";
 auto const macro_parameters =
-    between('(', ')', "parameter list", Flavour::Bare)[-(NewName("a parameter") % -mark(','))];
-auto const macro_def = until_end[x3::omit[hash("macro")] > NewName("the name of a macro")
-                                 > macro_parameters > body[items]];
+    between('(', ')', "parameter list", Flavour::Bare)[*(NewName("a parameter") >> -mark(','))];
+auto const macro_def =
+    until_end[x3::omit[hash("macro")] > NewName("the name of a macro") > macro_parameters > items];
 
 auto const directive_def = DirectiveAhead{}
                            >> (plain | declare | conditional | macro | UnknownDirective{});

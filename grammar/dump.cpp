@@ -97,8 +97,10 @@ public:
     labelled("body", node.body);
   }
   void operator()(ast::Block const& node) {
-    nested("Block", node.span, node.head.text + (node.head.reserved ? " reserved" : ""),
-           node.items);
+    std::string text = node.head.text;
+    if (node.head.reserved) text += " reserved";
+    if (node.open) text += " open";
+    nested("Block", node.span, text, node.items);
   }
   void operator()(ast::Word const& node) { line("Word", node.span, node.text); }
   void operator()(ast::Bracket const& node) { nested("Bracket", node.span, "", node.items); }
@@ -107,7 +109,7 @@ public:
   }
   void operator()(ast::If const& node) {
     static constexpr char const* names[] = {"if", "ifdef", "ifndef", "else"};
-    line("If", node.span, node.open_blocks > 0 ? "leaves a block open" : "");
+    line("If", node.span, node.open_blocks > 0 ? "with tail" : "");
     Deeper const deeper(*this);
     for (auto const& branch : node.branches) {
       line("Branch", branch.span, names[static_cast<int>(branch.test)]);
@@ -155,7 +157,7 @@ public:
     nested("Macro", node.span, node.name.text + joined(node.parameters), node.body);
   }
   void operator()(ast::Directive const& node) {
-    nested("Directive", node.span, node.word, node.arguments);
+    nested("Directive", node.span, node.open ? node.word + " open" : node.word, node.arguments);
   }
 
 private:

@@ -4,12 +4,13 @@
 #include "grammar/directive.hpp"
 #include "grammar/expression.hpp"
 #include "grammar/item.hpp"
+#include "grammar/open_blocks.hpp"
 #include "grammar/operators.hpp"
 
 namespace abbe::grammar::rules {
 
-struct BlockId : tag_span {};
-struct BareBlockId : tag_span {};
+struct BlockId : tag_open {};
+struct BareBlockId : tag_open {};
 struct BracketId : tag_span {};
 struct ArrayId : tag_span {};
 struct FunctionId : tag_span {};

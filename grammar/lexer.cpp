@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/lexer.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -137,14 +138,12 @@ bool scan_string(Iterator& first, Iterator last, ScannedString& out) {
   if (first == last || *first != '"') return false;
   Iterator at = first + 1;
   while (at != last && *at != '"') {
-    if (*at == '\n' || *at == '\r') break;
     if (*at != '\\' || last - at < 2) {
       out.text += *at;
       out.raw += *at++;
       continue;
     }
     Iterator const backslash = at++;
-    if (*at == '\n' || *at == '\r') break;
     if (!read_escape(at, last, out.text)) {
       if (out.bad_escape == nullptr) out.bad_escape = backslash;
       out.text += *at++;
@@ -154,8 +153,8 @@ bool scan_string(Iterator& first, Iterator last, ScannedString& out) {
     else
       out.raw.append(backslash, at);
   }
-  if (at == last || *at != '"')
-    throw SyntaxError{"E0103", first, at, "this string is not closed on its line"};
+  if (at == last)
+    throw SyntaxError{"E0103", first, std::find(first, last, '\n'), "this string is not closed"};
   first = at + 1;
   return true;
 }

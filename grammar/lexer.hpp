@@ -72,7 +72,7 @@ bool scan_number(Iterator& first, Iterator last, double& value);
 /// `text` has escapes resolved (\uXXXX becomes UTF-8), `raw` is what stands between the quotes with
 /// \" made ". An unknown escape is no error in `raw`, and in a path backslashes are common: so it
 /// is noted in `bad_escape` and the parser decides.
-/// @throws SyntaxError E0103 unclosed on its line
+/// Line breaks may stand inside, as in POV-Ray. @throws SyntaxError E0103 unclosed
 struct ScannedString {
   std::string text;
   std::string raw;

@@ -6,15 +6,13 @@
 /// `#if` whose branches open a block that is closed behind `#end`: see ast::If::open_blocks.
 namespace abbe::grammar {
 
-/// Sets `span` and `open_blocks` of a branch.
-struct tag_branch : tag_span {
-  template <class AnyContext>
-  void on_success(Iterator const& first, Iterator const& end, ast::If::Branch& node,
+/// Sets `span`, and `open` when the node's bracket was left open.
+struct tag_open : tag_span {
+  template <class Node, class AnyContext>
+  void on_success(Iterator const& first, Iterator const& end, Node& node,
                   AnyContext const& context) {
     tag_span::on_success(first, end, node, context);
-    State& state = state_of(context);
-    node.open_blocks = static_cast<std::uint8_t>(std::min(state.left_open, 255));
-    state.left_open = 0;
+    node.open = !std::exchange(state_of(context).closed, true);
   }
 };
 
@@ -43,10 +41,6 @@ constexpr auto first_then(First const& first, More const& more) {
   return FirstThenParser<First, More>(first, more);
 }
 
-/// How many blocks the branches leave open. @throws SyntaxError E0117 more than one, or branches
-/// differ
-std::uint8_t common_open_blocks(ast::If const& node, State const& state);
-
 /// The #if, then the rest of the block that it left open.
 template <class Subject, class Tail>
 struct TailDirective : x3::binary_parser<Subject, Tail, TailDirective<Subject, Tail>> {
@@ -59,13 +53,13 @@ struct TailDirective : x3::binary_parser<Subject, Tail, TailDirective<Subject, T
   bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
              ast::If& node) const {
     Iterator const begin = skip_blanks(first, last);
-    if (!this->left.parse(first, last, context, rcontext, node)) return false;
     State& state = state_of(context);
-    node.open_blocks = common_open_blocks(node, state);
-    if (node.open_blocks == 0) return true;
+    if (!state.structure && directive_at(begin, last).starts_with("if"))
+      state.structure = scan_structure(begin, state.end);
+    if (!this->left.parse(first, last, context, rcontext, node)) return false;
+    if (!state.structure->tails.contains(begin)) return true;
+    node.open_blocks = 1;
     Nest nest(state, begin);
-    bool const may_leave_open = state.may_leave_open;
-    state.may_leave_open = false;
     ++state.brackets;
     ++state.braces;
     this->right.parse(first, last, context, rcontext, node.tail);
@@ -75,7 +69,6 @@ struct TailDirective : x3::binary_parser<Subject, Tail, TailDirective<Subject, T
     ++first;
     --state.brackets;
     --state.braces;
-    state.may_leave_open = may_leave_open;
     nest.leave();
     return true;
   }

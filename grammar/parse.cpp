@@ -49,15 +49,14 @@ public:
   explicit Run(SourceFile const& source) : last_(source.text().data() + source.text().size()) {
     state_.source = &source;
     state_.begin = source.text().data();
+    state_.end = last_;
     parsed_.document.source = &source;
   }
 
   Parsed operator()() {
     Iterator at = state_.begin;
     while (parsed_.errors.size() < max_errors) {
-      state_ = State{};
-      state_.source = parsed_.document.source;
-      state_.begin = state_.source->text().data();
+      start_afresh();
       SyntaxError error;
       if (parse_items(at, error)) break;
       parsed_.errors.push_back(to_diagnostic(error, state_));
@@ -67,6 +66,14 @@ public:
   }
 
 private:
+  void start_afresh() {
+    State fresh;
+    fresh.source = state_.source;
+    fresh.begin = state_.begin;
+    fresh.end = state_.end;
+    fresh.structure = std::move(state_.structure);
+    state_ = std::move(fresh);
+  }
   /// Reads statements up to the end (true) or an error.
   bool parse_items(Iterator& at, SyntaxError& error) {
     auto const context = x3::make_context<StateTag>(state_);

@@ -162,10 +162,12 @@ struct WordLiteral : Terminal<WordLiteral, ast::Word> {
   bool colour_only_;
 };
 
-/// A lone ':' or ';'.
+/// A lone ':' or ';', or a bracket that closes what another branch of an #if opened.
 struct PunctuationLiteral : Terminal<PunctuationLiteral, ast::Punctuation> {
   bool scan(Iterator& at, Iterator, State& state, ast::Punctuation& out) const {
-    if (*at != ':' && *at != ';') return false;
+    bool const loose =
+        (*at == '}' || *at == ')') && state.structure && state.structure->close.contains(at);
+    if (*at != ':' && *at != ';' && !loose) return false;
     out.symbol = *at++;
     out.span = state.span(at - 1, at);
     return true;
