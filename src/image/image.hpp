@@ -32,7 +32,8 @@ struct Image {
   std::vector<float> bands;
   std::vector<double> band_centres_nm; ///< strictly ascending
   std::vector<double> band_edges_nm;   ///< empty, or one more than centres, ascending
-  /// Free text for the file: scene, settings, version. Order is kept; keys are unique.
+  /// Free text for the file: scene, settings, version. Keys are unique; PNG and TIFF keep
+  /// their order, EXR sorts them.
   std::vector<std::pair<std::string, std::string>> metadata;
 
   std::size_t pixels() const {
