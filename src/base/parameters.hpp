@@ -29,6 +29,8 @@ public:
   virtual Vec4 vec4(std::string_view name) = 0;
   /// Is a number or vector next (and not a word, a block or the end)?
   virtual bool has_value() = 0;
+  /// Is a number next, and not a vector? Decides between `<i, j, k>, number` and `<i, j, k>, <l ...>`.
+  virtual bool has_number() { return has_value(); }
   /// A number when one is next.
   std::optional<double> optional_number(std::string_view name) {
     if (!has_value()) return std::nullopt;
