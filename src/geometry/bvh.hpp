@@ -80,7 +80,8 @@ void walk(std::span<Node const> nodes, std::span<std::uint32_t const> items, Box
     Node const& node = nodes[top.node];
     if (node.count > 0) {
       for (std::uint32_t i = 0; i < node.count; ++i) {
-        if (!visit(items[node.first + i])) return;
+        std::uint32_t const place = node.first + i;
+        if (!visit(items.empty() ? place : items[place])) return;
       }
       continue;
     }

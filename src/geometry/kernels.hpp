@@ -229,7 +229,7 @@ QuadricRoots<L> quadric(Line<L> const& line, L const (&k)[10]) {
         root_motion(half * lane::dot(g, line.slack), s.root_of_discriminant, a)};
   };
   auto const linear = a == zero;
-  auto const any = lane::both(zero <= discriminant, lane::negate(both(linear, b == zero)));
+  auto const any = lane::both(zero <= discriminant, lane::negate(lane::both(linear, b == zero)));
   return {make(lane::select(linear, -c / (b + b), s.low)), make(s.high), a, b,
           lane::select(any, L(1.0), zero)};
 }

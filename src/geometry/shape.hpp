@@ -3,6 +3,7 @@
 
 #include "base/vec.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -47,6 +48,12 @@ struct Start {
   bool to_inside = false;
 };
 
+/// Textures of the corners of a face and their shares at a point (they add up to 1).
+struct FaceBlend {
+  std::array<int, 3> texture;
+  Vec3 share;
+};
+
 struct Bounds {
   Vec3 low{1, 1, 1};
   Vec3 high{-1, -1, -1};
@@ -76,6 +83,12 @@ public:
   virtual bool solid() const { return true; }
   /// Number of the face's own texture (Parameters::face_texture), -1 for the object's.
   virtual int face_texture(std::uint32_t) const { return -1; }
+  /// Where a face's corners have different textures; face_texture() is the first of them.
+  virtual std::optional<FaceBlend> face_blend(Vec3 const&, std::uint32_t) const {
+    return std::nullopt;
+  }
+  /// The shape's own surface coordinates at a point, where it has them.
+  virtual std::optional<Vec2> uv(Vec3 const&, std::uint32_t) const { return std::nullopt; }
 };
 using ShapePtr = std::shared_ptr<Shape const>;
 

@@ -117,11 +117,17 @@ bool TracedSolid::single(Query const& query, bool all, Take& take) const {
              != inverse_;
   }
   bool const before = inside;
+  bool known = all;
   for (std::size_t i = 0; i < events.size(); ++i) {
     Event const& event = events[i];
     if (!all && (event.at_start || !(event.t > 0))) continue;
     bool const entering = event.entering != inverse_;
-    if (event.toggles) inside = entering;
+    // A grazing start can leave a root without its partner: a second entry is none.
+    if (event.toggles && known && entering == inside) continue;
+    if (event.toggles) {
+      inside = entering;
+      known = true;
+    }
     Passage const passage{{id_, only_, event.face, event.t, entering, event.toggles},
                           event.error,
                           event.visible,

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/parameters.hpp"
+#include "geometry/kernels.hpp"
+#include "geometry/shapes/convex.hpp"
+
+namespace abbe::geometry {
+
+/** @scene cone { <base>, base_radius, <cap>, cap_radius [open] }
+A cone, or the part of one between two lids. Equal radii make a cylinder. `open` leaves the lids
+out.
+
+| name | type | unit | default | range |
+|---|---|---|---|---|
+| base | vector | length | - | any |
+| base_radius | number | length | - | not both 0 |
+| cap | vector | length | - | other than base |
+| cap_radius | number | length | - | not both 0 |
+
+    cone { <0, 0, 0>, 1, <0, 2, 0>, 0 }
+*/
+/// Canonical form: axis from y = -1 (base) to y = 1 (cap), the larger radius 1, the radius at y is
+/// middle + rate y. Faces: 0 wall, 1 base, 2 cap.
+class Cone final : public ConvexShape<Cone> {
+public:
+  Cone(double middle, double rate, bool open) : middle_(middle), rate_(rate), open_(open) {}
+  template <class L>
+  Slice<L> slice(Line<L> const& line) const {
+    return kernels::cone(line, L(middle_), L(rate_));
+  }
+  bool visible(std::uint32_t face) const { return !open_ || face == 0; }
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override;
+
+private:
+  double middle_, rate_;
+  bool open_;
+};
+
+std::optional<PlacedShape> make_cone(Vec3 const& base, double base_radius, Vec3 const& cap,
+                                     double cap_radius, bool open);
+std::optional<PlacedShape> read_cone(Parameters& parameters);
+
+} // namespace abbe::geometry

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/disc.hpp"
+
+#include "geometry/shapes/reading.hpp"
+
+namespace abbe::geometry {
+
+void Disc::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  std::size_t const first = out.size();
+  ConvexShape::crossings(ray, start, out);
+  for (std::size_t i = first; i < out.size(); ++i) {
+    double const distance = vector_length(ray.origin + out[i].t * ray.direction);
+    out[i].visible = hole_ <= distance && distance <= radius_;
+  }
+}
+
+Bounds Disc::bounds() const {
+  Bounds bounds;
+  bounds.infinite = true;
+  return bounds;
+}
+
+std::optional<PlacedShape> make_disc(Vec3 const& centre, Vec3 const& normal, double radius,
+                                     double hole) {
+  if (!finite(centre) || !finite(normal) || normal == Vec3(0) || !usable_size(radius)
+      || !std::isfinite(hole) || !(std::fabs(hole) < std::fabs(radius))) {
+    return std::nullopt;
+  }
+  return PlacedShape{
+      std::make_shared<Disc>(unit_vector(normal), std::fabs(radius), std::fabs(hole)),
+      Transform::translation(centre)};
+}
+
+std::optional<PlacedShape> read_disc(Parameters& parameters) {
+  Vec3 const centre = parameters.vec3("centre");
+  Vec3 const normal = parameters.vec3("normal");
+  double const radius = parameters.number("radius");
+  double const hole = parameters.optional_number("hole radius").value_or(0);
+  return or_report(make_disc(centre, normal, radius, hole), parameters, "E0606",
+                   "a disc needs a finite centre, a normal that is not zero, a radius that is not "
+                   "zero and a hole smaller than it");
+}
+
+} // namespace abbe::geometry

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/mesh.hpp"
+
+#include "geometry/shapes/reading.hpp"
+#include "geometry/shapes/start.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abbe::geometry {
+
+namespace {
+
+/// Slack of the hierarchy's boxes against the rounding of the shear, in the mesh's own space, where
+/// everything that can be hit is within 4 of the origin: far above 100 roundings of 2^-51, far
+/// below the precision of the boxes' floats.
+constexpr double box_slack = 0x1p-40;
+
+float rounded_down(double x) {
+  auto const near = static_cast<float>(x);
+  return near <= x ? near : std::nextafter(near, -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double x) {
+  return -rounded_down(-x);
+}
+
+} // namespace
+
+template <class T>
+void Mesh::permute(std::vector<T>& items, std::vector<std::uint32_t> const& order) {
+  if (items.empty()) return;
+  std::vector<T> sorted;
+  sorted.reserve(items.size());
+  for (std::uint32_t const item : order) sorted.push_back(items[item]);
+  items = std::move(sorted);
+}
+
+Mesh::Mesh(MeshData data) : data_(std::move(data)) {
+  std::vector<Bounds> boxes;
+  boxes.reserve(data_.faces.size());
+  for (Corners const& face : data_.faces) {
+    Vec3 const& a = data_.vertices[face[0]];
+    Vec3 const& b = data_.vertices[face[1]];
+    Vec3 const& c = data_.vertices[face[2]];
+    boxes.push_back(
+        {glm::min(a, glm::min(b, c)) - box_slack, glm::max(a, glm::max(b, c)) + box_slack, false});
+  }
+  Bvh const bvh(boxes, 4);
+  permute(data_.faces, bvh.items());
+  permute(data_.normal_corners, bvh.items());
+  permute(data_.uv_corners, bvh.items());
+  permute(data_.textures, bvh.items());
+  nodes_.reserve(bvh.nodes().size());
+  for (BvhNode const& node : bvh.nodes()) {
+    Node small{{}, {}, node.first, node.count};
+    for (int i = 0; i < 3; ++i) {
+      small.low[static_cast<std::size_t>(i)] = rounded_down(node.low[i]);
+      small.high[static_cast<std::size_t>(i)] = rounded_up(node.high[i]);
+    }
+    nodes_.push_back(small);
+  }
+  if (!bvh.nodes().empty()) bounds_ = {bvh.nodes()[0].low, bvh.nodes()[0].high, false};
+}
+
+template <class Visit>
+void Mesh::each_hit(ShearedLine const& line, Visit&& visit) const {
+  // The hierarchy sees exactly the line that the triangles see.
+  BoxProbe const probe(Ray{line.point, line.direction, Vec3(0)});
+  double const to = infinity;
+  walk(std::span<Node const>(nodes_), std::span<std::uint32_t const>(), probe, -infinity, to,
+       [&](std::uint32_t face) {
+         Corners const& f = data_.faces[face];
+         auto const hit =
+             hit_triangle(line, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
+         if (hit) visit(face, *hit);
+         return true;
+       });
+}
+
+void Mesh::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  std::size_t const first = out.size();
+  bool const closed = solid();
+  each_hit(ShearedLine(line_of(ray)), [&](std::uint32_t face, TriangleHit const& hit) {
+    if (start != nullptr && !closed) {
+      // The face itself, and its neighbours across an edge at the start, are left behind.
+      if (face == start->face || std::fabs(hit.t) <= hit.error + hit.slack) return;
+    }
+    out.push_back({hit.t, hit.error, hit.slack, face, hit.against_normal, closed, true});
+  });
+  if (!closed) return;
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+            [](Crossing const& a, Crossing const& b) {
+              return a.t != b.t ? a.t < b.t : a.face < b.face;
+            });
+  for (std::size_t i = first; i < out.size(); ++i) out[i].entering = (i - first) % 2 == 0;
+  if (start != nullptr) impose_start(*start, true, first, out);
+}
+
+bool Mesh::inside(Vec3 const& point) const {
+  if (!solid()) return false;
+  bool odd = false;
+  ShearedLine const line(line_of({point, *data_.inside_vector, Vec3(0)}));
+  each_hit(line, [&](std::uint32_t, TriangleHit const& hit) { odd = odd != (hit.t > 0); });
+  return odd;
+}
+
+Vec3 Mesh::weights(Vec3 const& point, std::uint32_t face) const {
+  Corners const& f = data_.faces[face];
+  return corner_weights(point, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
+}
+
+Vec3 Mesh::geometric_normal(Vec3 const&, std::uint32_t face) const {
+  Corners const& f = data_.faces[face];
+  Vec3 const& a = data_.vertices[f[0]];
+  return unit_vector(glm::cross(data_.vertices[f[1]] - a, data_.vertices[f[2]] - a));
+}
+
+Vec3 Mesh::normal(Vec3 const& point, std::uint32_t face) const {
+  Vec3 const flat = geometric_normal(point, face);
+  if (data_.normals.empty()) return flat;
+  Corners const& f = data_.normal_corners.empty() ? data_.faces[face] : data_.normal_corners[face];
+  if (f[0] == MeshData::flat) return flat;
+  Vec3 const w = weights(point, face);
+  Vec3 const smooth =
+      w.x * data_.normals[f[0]] + w.y * data_.normals[f[1]] + w.z * data_.normals[f[2]];
+  return finite(smooth) && smooth != Vec3(0) ? unit_vector(smooth) : flat;
+}
+
+int Mesh::face_texture(std::uint32_t face) const {
+  return data_.textures.empty() ? -1 : data_.textures[face][0];
+}
+
+std::optional<FaceBlend> Mesh::face_blend(Vec3 const& point, std::uint32_t face) const {
+  if (data_.textures.empty()) return std::nullopt;
+  auto const& textures = data_.textures[face];
+  if (textures[0] == textures[1] && textures[0] == textures[2]) return std::nullopt;
+  return FaceBlend{{textures[0], textures[1], textures[2]}, weights(point, face)};
+}
+
+std::optional<Vec2> Mesh::uv(Vec3 const& point, std::uint32_t face) const {
+  if (data_.uv.empty()) return std::nullopt;
+  Corners const& f = data_.uv_corners.empty() ? data_.faces[face] : data_.uv_corners[face];
+  if (f[0] == MeshData::flat) return std::nullopt;
+  Vec3 const w = weights(point, face);
+  return w.x * data_.uv[f[0]] + w.y * data_.uv[f[1]] + w.z * data_.uv[f[2]];
+}
+
+std::size_t Mesh::memory() const {
+  auto const bytes = [](auto const& v) { return v.capacity() * sizeof(v[0]); };
+  return sizeof(*this) + bytes(data_.vertices) + bytes(data_.faces) + bytes(data_.normals)
+         + bytes(data_.normal_corners) + bytes(data_.uv) + bytes(data_.uv_corners)
+         + bytes(data_.textures) + bytes(nodes_);
+}
+
+namespace {
+
+/// Has the face an area, as far as its edges can be told apart?
+bool has_area(MeshData const& data, Corners const& face) {
+  Vec3 const& a = data.vertices[face[0]];
+  Vec3 const normal = glm::cross(data.vertices[face[1]] - a, data.vertices[face[2]] - a);
+  return normal != Vec3(0) && finite(normal);
+}
+
+template <class T>
+void keep(std::vector<T>& items, std::vector<bool> const& kept) {
+  if (items.empty()) return;
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i]) items[to++] = items[i];
+  }
+  items.resize(to);
+}
+
+} // namespace
+
+MeshResult make_mesh(MeshData data) {
+  MeshResult result;
+  Vec3 low(infinity), high(-infinity);
+  for (Corners const& face : data.faces) {
+    for (std::uint32_t const corner : face) {
+      low = glm::min(low, data.vertices[corner]);
+      high = glm::max(high, data.vertices[corner]);
+    }
+  }
+  result.degenerate = data.faces.size();
+  if (data.faces.empty()) return result;
+  Vec3 const extent = high * 0.5 - low * 0.5, middle = low * 0.5 + high * 0.5;
+  double const largest = std::fmax(extent.x, std::fmax(extent.y, extent.z));
+  if (!usable_size(largest)) return result;
+  double const scale = std::exp2(std::ilogb(largest));
+  for (Vec3& vertex : data.vertices) vertex = (vertex - middle) / scale;
+  std::vector<bool> kept(data.faces.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = has_area(data, data.faces[i]);
+  result.degenerate = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+  if (result.degenerate == kept.size()) return result;
+  if (result.degenerate > 0) {
+    keep(data.faces, kept);
+    keep(data.normal_corners, kept);
+    keep(data.uv_corners, kept);
+    keep(data.textures, kept);
+  }
+  Transform const placement = Transform::scaling(Vec3(scale)).then(Transform::translation(middle));
+  result.shape = PlacedShape{std::make_shared<Mesh>(std::move(data)), placement};
+  return result;
+}
+
+} // namespace abbe::geometry

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/bvh.hpp"
+#include "geometry/shape.hpp"
+#include "geometry/shapes/triangle_test.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace abbe::geometry {
+
+/// Corners of the faces of a mesh, as indices.
+using Corners = std::array<std::uint32_t, 3>;
+
+/// What a mesh is made of. Index lists that are empty: normals or uv have the same corners as the
+/// faces when there are normals or uv at all.
+struct MeshData {
+  std::vector<Vec3> vertices;
+  std::vector<Corners> faces;
+  std::vector<Vec3> normals;           ///< need not be of unit length
+  std::vector<Corners> normal_corners; ///< per face; a corner of `flat` in the first: not smoothed
+  std::vector<Vec2> uv;
+  std::vector<Corners> uv_corners;
+  std::vector<std::array<std::int32_t, 3>> textures; ///< per face, of its corners; empty: none
+  std::optional<Vec3> inside_vector;
+  static constexpr std::uint32_t flat = 0xffffffff;
+};
+
+/// Triangles with their own hierarchy, in a space where the largest extent is in [1, 2) about the
+/// origin (a power of two: scaling a mesh changes no bit of it).
+///
+/// With an inside_vector the mesh is solid: crossings along a line alternate between entering and
+/// leaving, starting outside at -infinity. Without, each triangle is a patch. Face numbers are
+/// those of the hierarchy, not of the file.
+class Mesh final : public Shape {
+public:
+  /// @param data indices valid, no face degenerate (make_mesh sees to it)
+  explicit Mesh(MeshData data);
+  void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override { return bounds_; }
+  bool solid() const override { return data_.inside_vector.has_value(); }
+  int face_texture(std::uint32_t face) const override;
+  std::optional<FaceBlend> face_blend(Vec3 const& point, std::uint32_t face) const override;
+  std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;
+  std::size_t memory() const; ///< bytes, for the tests
+
+private:
+  struct Node {
+    std::array<float, 3> low, high;
+    std::uint32_t first, count;
+  };
+  template <class T>
+  static void permute(std::vector<T>& items, std::vector<std::uint32_t> const& order);
+  template <class Visit>
+  void each_hit(ShearedLine const& line, Visit&& visit) const;
+  Vec3 weights(Vec3 const& point, std::uint32_t face) const;
+
+  MeshData data_;
+  std::vector<Node> nodes_;
+  Bounds bounds_;
+};
+
+/// What was wrong with the input of a mesh and what came of it.
+struct MeshResult {
+  std::optional<PlacedShape> shape; ///< none: nothing to draw
+  std::size_t degenerate = 0;       ///< faces without area that were dropped
+};
+/// Drops degenerate faces, moves and scales to canonical form. @param data indices valid, finite
+MeshResult make_mesh(MeshData data);
+
+} // namespace abbe::geometry

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/parameters.hpp"
+#include "geometry/line.hpp"
+#include "geometry/shape.hpp"
+
+#include <vector>
+
+namespace abbe::geometry {
+
+/** @scene prism { [linear_spline] [linear_sweep] y1, y2, n, <x, z> ... [open] }
+A polygon in the xz plane, drawn out along y. Several polygons may follow each other, each closed by
+repeating its first point; where an even number of them overlap there is a hole. `open` leaves the
+two lids out.
+
+| name | type | unit | default | range |
+|---|---|---|---|---|
+| y1, y2 | numbers | length | - | different |
+| n | integer | - | - | 3 or more |
+| <x, z> | n 2-vectors | length | - | any |
+
+    prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }
+*/
+/// Canonical form: -1 <= y <= 1, the points about the origin. Faces: 0 lid at y = -1, 1 lid at y =
+/// 1, 2 + k edge k. A line is compared with each corner once, so that no line slips between two
+/// edges.
+class Prism final : public Shape {
+public:
+  using Contour = std::vector<Vec2>; ///< closed; the first point is not repeated
+  Prism(std::vector<Contour> const& contours, bool open);
+  void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override;
+
+private:
+  struct Edge {
+    Vec2 from, to;
+    Vec2 outward; ///< not of unit length
+  };
+  bool in_polygon(Vec2 const& point, Edge const* skip) const;
+  void edge_crossings(Line<double> const& line, Crossings& out) const;
+
+  std::vector<Edge> edges_;
+  Vec2 low_, high_;
+  bool open_;
+};
+
+std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, double y1, double y2,
+                                      bool open);
+std::optional<PlacedShape> read_prism(Parameters& parameters);
+
+} // namespace abbe::geometry
