@@ -4,10 +4,15 @@
 /// The subcommands of `abbe`. Each gets its own name as argv[0] and its arguments after it, prints
 /// to standard output (results) and standard error (messages), and returns the exit status:
 /// 0 done, 1 the input is wrong, 2 the command line is wrong, 3 a file could not be read or
-/// written.
+/// written, 130 interrupted.
 namespace abbe::cli {
 
 int run_compare(int argc, char** argv);
 int run_tonemap(int argc, char** argv);
+int run_render(int argc, char** argv);
+int run_check(int argc, char** argv);
+int run_dump(int argc, char** argv);
+int run_explain(int argc, char** argv);
+int run_glass(int argc, char** argv);
 
 } // namespace abbe::cli

@@ -106,7 +106,12 @@ std::span<Vec3 const> WaveTables::rgb_weights(int wave) {
       sum += xyz;
     }
     Vec3 scale;
-    for (int c = 0; c < 3; ++c) scale[c] = sum[c] > 0 ? optics::srgb_white_xyz[c] / sum[c] : 0;
+    // A component that the whole comb misses (one band in the far red has no Z) is taken from the bands.
+    for (int c = 0; c < 3; ++c) {
+      scale[c] = sum[c] > 0 ? optics::srgb_white_xyz[c] / sum[c] : 1;
+      for (int i = 0; sum[c] == 0 && i < stage_.channels; ++i)
+        t.rgb_weights[static_cast<std::size_t>(i)][c] = bands.xyz_weight(i)[c];
+    }
     for (auto& weight : t.rgb_weights) weight = optics::xyz_to_rgb(weight * scale);
     t.weights_known = true;
   }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+#include "cli/scene_arguments.hpp"
+#include "grammar/parse.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+/// check, dump and explain: what abbe makes of a scene, without a picture.
+namespace abbe::cli {
+namespace {
+
+/// The text of a file, for the dumps that need no evaluation.
+std::optional<std::string> read_text(std::string const& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    fmt::print(stderr, "abbe dump: error[E0501]: cannot read '{}'\n", path);
+    return std::nullopt;
+  }
+  return std::move(text).str();
+}
+
+int dump_syntax(std::string const& path, bool tokens) {
+  auto text = read_text(path);
+  if (!text) return 3;
+  SourceSet sources;
+  SourceFile const& source = sources.add(path, std::move(*text));
+  if (tokens) {
+    fmt::print("{}", dump_tokens(source));
+    return 0;
+  }
+  Parsed const parsed = parse(source);
+  fmt::print("{}", dump_ast(parsed.document));
+  for (auto const& error : parsed.errors) fmt::print(stderr, "{}\n", format(error));
+  return parsed.errors.empty() ? 0 : 1;
+}
+
+} // namespace
+
+int run_check(int argc, char** argv) {
+  SceneArguments arguments;
+  CLI::App app("Parses and evaluates a scene: reports every error that can be found.",
+               "abbe check");
+  arguments.add_to(app, false);
+  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  catch_interrupts();
+  int status = 0;
+  auto const evaluated = load_scene(arguments, status);
+  if (evaluated && plan_scene(*evaluated, arguments, status) && !arguments.quiet)
+    fmt::print("{}: no errors\n", arguments.scene);
+  return status;
+}
+
+int run_dump(int argc, char** argv) {
+  SceneArguments arguments;
+  CLI::App app("Prints a stage of the work on a scene.", "abbe dump");
+  bool tokens = false, tree = false, graph = false, plan = false;
+  auto* group = app.add_option_group("stage");
+  group->add_flag("--tokens", tokens, "the tokens, one a line");
+  group->add_flag("--ast", tree, "the syntax tree");
+  group->add_flag("--scene", graph, "the object graph, evaluated");
+  group->add_flag("--plan", plan, "the effects it calls for");
+  group->require_option(1);
+  arguments.add_to(app, true);
+  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (tokens || tree) return dump_syntax(arguments.scene, tokens);
+  int status = 0;
+  auto const evaluated = load_scene(arguments, status);
+  if (!evaluated) return status;
+  if (graph) {
+    fmt::print("{}", lang::dump_scene(evaluated->scene));
+    return 0;
+  }
+  auto const made = plan_scene(*evaluated, arguments, status);
+  if (made) fmt::print("{}", plan::describe(*made));
+  return status;
+}
+
+int run_explain(int argc, char** argv) {
+  SceneArguments arguments;
+  CLI::App app("Which effects a scene calls for, why, and where.", "abbe explain");
+  arguments.add_to(app, true);
+  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  int status = 0;
+  auto const evaluated = load_scene(arguments, status);
+  if (!evaluated) return status;
+  auto const made = plan_scene(*evaluated, arguments, status);
+  if (made) fmt::print("{}", plan::describe(*made));
+  return status;
+}
+
+} // namespace abbe::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "base/diagnostic.hpp"
+#include "cli/commands.hpp"
+
+#include <array>
+#include <exception>
+#include <fmt/format.h>
+#include <new>
+#include <string_view>
+
+namespace {
+
+struct Command {
+  std::string_view name;
+  int (*run)(int, char**);
+  std::string_view summary;
+};
+
+constexpr std::array commands{
+    Command{"render", abbe::cli::run_render, "render a scene to .exr, .png or .tif"},
+    Command{"check", abbe::cli::run_check, "parse and evaluate a scene; report all errors"},
+    Command{"dump", abbe::cli::run_dump, "print the tokens, tree, object graph or plan of a scene"},
+    Command{"explain", abbe::cli::run_explain, "which effects a scene calls for, and where"},
+    Command{"glass", abbe::cli::run_glass, "list or show catalogue glasses"},
+    Command{"compare", abbe::cli::run_compare, "measure how two images differ"},
+    Command{"tonemap", abbe::cli::run_tonemap, "map a linear image to a PNG"},
+};
+
+void print_usage(std::FILE* out) {
+  fmt::print(out,
+             "abbe {}: ray tracing of scenes in a POV-Ray-style language, exact about glass\n\n"
+             "usage: abbe COMMAND ...    (abbe COMMAND --help tells more)\n\n",
+             ABBE_VERSION);
+  for (auto const& command : commands)
+    fmt::print(out, "  {:9} {}\n", command.name, command.summary);
+  fmt::print(out, "  {:9} {}\n", "test",
+             "build everything and run the tests (by the script ./abbe only)");
+}
+
+int run(int argc, char** argv) {
+  if (argc < 2) {
+    print_usage(stderr);
+    return 2;
+  }
+  std::string_view const name = argv[1];
+  if (name == "--help" || name == "-h" || name == "help") {
+    print_usage(stdout);
+    return 0;
+  }
+  if (name == "--version") {
+    fmt::print("abbe {}\n", ABBE_VERSION);
+    return 0;
+  }
+  std::array<std::string_view, commands.size()> names;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    names[i] = commands[i].name;
+    if (names[i] == name) return commands[i].run(argc - 1, argv + 1);
+  }
+  fmt::print(stderr, "abbe: unknown command '{}'{}\n\n", name, abbe::did_you_mean(name, names));
+  print_usage(stderr);
+  return 2;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (std::bad_alloc const&) {
+    fmt::print(stderr, "abbe: error[E0701]: out of memory\n");
+    return 1;
+  } catch (std::exception const& failure) {
+    fmt::print(stderr, "abbe: internal error: {}\n", failure.what());
+    return 1;
+  }
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/scene_arguments.hpp"
+#include "image/io.hpp"
+#include "render/render.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <fmt/format.h>
+
+namespace abbe::cli {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::string output;
+  std::string anti_aliasing = "off";
+  std::string region;
+  render::RenderOptions options;
+  std::string gamut = "standard";
+  double exposure_ev = 0;
+  bool half = false;
+};
+
+/// "off" or the depth.
+std::string set_anti_aliasing(std::string const& text, render::AntiAliasing& aa) {
+  if (text == "off") {
+    aa.method = 0;
+    return "";
+  }
+  int depth = 0;
+  auto const [end, failed] = std::from_chars(text.data(), text.data() + text.size(), depth);
+  if (failed != std::errc() || end != text.data() + text.size() || depth < 1 || depth > 9)
+    return "expected 'off' or a depth from 1 to 9, got '" + text + "'";
+  aa.depth = depth;
+  if (aa.method == 0) aa.method = 1;
+  return "";
+}
+
+std::string set_region(std::string const& text, std::optional<render::Region>& out) {
+  render::Region region;
+  int* const numbers[] = {&region.x0, &region.y0, &region.x1, &region.y1};
+  char const* at = text.data();
+  char const* const end = at + text.size();
+  for (int i = 0; i < 4; ++i) {
+    auto const [stop, failed] = std::from_chars(at, end, *numbers[i]);
+    bool const separated = i == 3 ? stop == end : stop != end && *stop == ',';
+    if (failed != std::errc() || !separated) return "expected x0,y0,x1,y1, got '" + text + "'";
+    at = stop + 1;
+  }
+  out = region;
+  return "";
+}
+
+int fail(Error const& error, int status) {
+  fmt::print(stderr, "abbe render: error[{}]: {}\n", error.code, error.message);
+  return status;
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  auto& options = arguments.options;
+  arguments.scene.add_to(app, true);
+  app.add_option("-o,--output", arguments.output,
+                 "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)");
+  app.add_option("-j,--threads", options.threads, "threads (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--aa", arguments.anti_aliasing,
+                 "anti-aliasing: up to N x N rays where pixels differ")
+      ->type_name("off|N")
+      ->check(
+          [&](std::string const& text) { return set_anti_aliasing(text, options.anti_aliasing); })
+      ->capture_default_str();
+  app.add_option("--aa-method", options.anti_aliasing.method,
+                 "1: grid in pixels that differ from a neighbour; 2: subdivision from the corners")
+      ->check(CLI::Range(1, 2));
+  app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
+      ->check(CLI::Range(0.0, 3.0))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "of the stochastic dispersion mode")
+      ->capture_default_str();
+  app.add_option("--region", arguments.region, "render this part only; x1, y1 not included")
+      ->type_name("x0,y0,x1,y1")
+      ->check([&](std::string const& text) { return set_region(text, options.region); });
+  app.add_option("--tile", options.tile_size, "pixels across a tile")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  app.add_option("--exposure", arguments.exposure_ev, "stops, of PNG output")
+      ->capture_default_str();
+  app.add_option("--gamut", arguments.gamut,
+                 "of PNG output: clip, standard or hue (see abbe tonemap --help)")
+      ->check(CLI::IsMember({"clip", "standard", "hue"}))
+      ->capture_default_str();
+  app.add_flag("--half", arguments.half, "16-bit EXR");
+}
+
+image::WriteOptions write_options(Arguments const& arguments) {
+  image::WriteOptions write;
+  write.exr.spectral = arguments.scene.spectral;
+  write.exr.depth =
+      arguments.half ? image::ExrOptions::Depth::Half : image::ExrOptions::Depth::Float;
+  write.png.tone.exposure_ev = arguments.exposure_ev;
+  write.png.tone.gamut = arguments.gamut == "clip"  ? image::Gamut::Clip
+                         : arguments.gamut == "hue" ? image::Gamut::Hue
+                                                    : image::Gamut::Standard;
+  return write;
+}
+
+int check_region(std::optional<render::Region> const& region, int width, int height) {
+  if (!region) return 0;
+  if (region->x0 >= 0 && region->y0 >= 0 && region->x0 < region->x1 && region->y0 < region->y1
+      && region->x1 <= width && region->y1 <= height)
+    return 0;
+  fmt::print(stderr, "abbe render: --region {},{},{},{} is not a part of the {} x {} picture\n",
+             region->x0, region->y0, region->x1, region->y1, width, height);
+  return 2;
+}
+
+void describe(image::Image& image, Arguments const& arguments, plan::Plan const& plan) {
+  image.metadata = {{"Software", fmt::format("abbe {}", ABBE_VERSION)},
+                    {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
+                    {"Plan", plan::describe(plan)},
+                    {"Seed", fmt::format("{}", arguments.options.seed)},
+                    {"AntiAliasing", arguments.anti_aliasing}};
+}
+
+int render_scene(Arguments& arguments) {
+  if (arguments.output.empty())
+    arguments.output = std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
+  auto const writable = image::check_destination(arguments.output);
+  if (!writable) return fail(writable.error(), writable.error().code == "E0512" ? 2 : 3);
+  if (int const bad =
+          check_region(arguments.options.region, arguments.scene.width, arguments.scene.height))
+    return bad;
+
+  catch_interrupts();
+  auto const start = std::chrono::steady_clock::now();
+  int status = 0;
+  auto const evaluated = load_scene(arguments.scene, status);
+  if (!evaluated) return status;
+  auto const plan = plan_scene(*evaluated, arguments.scene, status);
+  if (!plan) return status;
+
+  render::RenderOptions& options = arguments.options;
+  options.width = arguments.scene.width;
+  options.height = arguments.scene.height;
+  options.spectral_output = arguments.scene.spectral;
+  options.stop = &interrupted();
+  ProgressBar bar(arguments.scene.quiet);
+  options.on_progress = [&bar](render::Progress const& progress) { bar.show(progress); };
+  auto result = render::render(evaluated->scene, *plan, options);
+  bar.finish();
+  if (result.interrupted) {
+    fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
+    return 130;
+  }
+  describe(result.image, arguments, *plan);
+  auto const written = image::write(result.image, arguments.output, write_options(arguments));
+  if (!written) return fail(written.error(), 3);
+  if (!arguments.scene.quiet) {
+    double const seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {:.2f} million rays\n", arguments.output,
+               result.image.width, result.image.height,
+               plan->bands ? fmt::format("{} bands", plan->bands->count()) : std::string("r g b"),
+               seconds, static_cast<double>(result.counts.total()) / 1e6);
+  }
+  return 0;
+}
+
+} // namespace
+
+int run_render(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Renders a scene.", "abbe render");
+  add_options(app, arguments);
+  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  return render_scene(arguments);
+}
+
+} // namespace abbe::cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "cli/scene_arguments.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace abbe::cli {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+extern "C" void on_interrupt(int) {
+  if (stop_requested.exchange(true)) _exit(130);
+}
+
+std::string check_declaration(std::string const& text) {
+  auto const equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return "expected NAME=VALUE, got '" + text + "'";
+  return "";
+}
+
+} // namespace
+
+std::filesystem::path stdlib_dir() {
+  if (char const* named = std::getenv("ABBE_STDLIB")) return named;
+  return ABBE_STDLIB_DIR;
+}
+
+void SceneArguments::add_to(CLI::App& app, bool with_plan) {
+  app.set_help_flag("--help", "print this help and exit"); // -H is the height
+  app.add_option("SCENE", scene, "the scene file (.scn, .pov)")->required();
+  app.add_option("-W,--width", width, "pixels across")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("-H,--height", height, "pixels down")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("-D,--declare", declarations, "declare a float or string before the scene")
+      ->type_name("NAME=VALUE")
+      ->check(check_declaration)
+      ->allow_extra_args(false);
+  app.add_option("-I,--include", include_dirs, "search here for includes too")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app.add_flag("--allow-write", allow_write, "let the scene write files (#fopen ... write)");
+  app.add_flag("--quiet", quiet, "no progress and no #debug output");
+  if (!with_plan) return;
+  app.add_option("--bands", bands, "number of spectral bands")->check(CLI::Range(1, 1000));
+  app.add_option("--dispersion", dispersion,
+                 "for every material: none, deterministic, stochastic, faithful")
+      ->type_name("MODE")
+      ->check(CLI::IsMember({"none", "deterministic", "stochastic", "faithful"}));
+  app.add_flag("--spectral", spectral, "render in bands; EXR output carries them");
+}
+
+int parse_arguments(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& stop) {
+    return app.exit(stop) == 0 ? 0 : 2;
+  }
+  return -1;
+}
+
+std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status) {
+  lang::EvaluateOptions options;
+  options.stdlib_dir = stdlib_dir();
+  for (auto const& dir : arguments.include_dirs) options.include_dirs.emplace_back(dir);
+  for (auto const& text : arguments.declarations) {
+    auto const equals = text.find('=');
+    options.declarations.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  options.image_width = arguments.width;
+  options.image_height = arguments.height;
+  options.allow_write = arguments.allow_write;
+  options.stop = &interrupted();
+  if (!arguments.quiet)
+    options.on_message = [](std::string_view text) { fmt::print(stderr, "{}", text); };
+  lang::Evaluated evaluated = lang::evaluate_file(arguments.scene, options);
+  int errors = 0;
+  for (auto const& diagnostic : evaluated.diagnostics) {
+    fmt::print(stderr, "{}\n", format(diagnostic));
+    if (diagnostic.severity == Severity::Error) ++errors;
+  }
+  if (evaluated.interrupted) {
+    status = 130;
+    return std::nullopt;
+  }
+  if (errors > 0) {
+    fmt::print(stderr, "abbe: {} error{}\n", errors, errors == 1 ? "" : "s");
+    status = evaluated.unreadable ? 3 : 1;
+    return std::nullopt;
+  }
+  status = 0;
+  return evaluated;
+}
+
+std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
+                                     SceneArguments const& arguments, int& status) {
+  plan::Overrides overrides;
+  overrides.bands = arguments.bands;
+  overrides.spectral = arguments.spectral;
+  using Kind = scene::DispersionMode::Kind;
+  if (!arguments.dispersion.empty()) {
+    scene::DispersionMode mode;
+    mode.kind = arguments.dispersion == "none"            ? Kind::None
+                : arguments.dispersion == "deterministic" ? Kind::Deterministic
+                                                          : Kind::Stochastic;
+    mode.faithful = arguments.dispersion == "faithful";
+    overrides.dispersion = mode;
+  }
+  auto plan = plan::make_plan(evaluated.scene, overrides);
+  if (!plan) {
+    Diagnostic diagnostic;
+    diagnostic.code = plan.error().code;
+    diagnostic.span = evaluated.scene.settings.spectral.span;
+    diagnostic.message = plan.error().message;
+    fmt::print(stderr, "{}\n", format(diagnostic));
+    status = 1;
+    return std::nullopt;
+  }
+  status = 0;
+  return std::move(*plan);
+}
+
+std::atomic<bool> const& interrupted() {
+  return stop_requested;
+}
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+} // namespace abbe::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lang/evaluate.hpp"
+#include "plan/plan.hpp"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abbe::cli {
+
+/// What every subcommand that reads a scene understands.
+struct SceneArguments {
+  std::string scene;
+  int width = 640;
+  int height = 480;
+  std::vector<std::string> declarations; ///< -D NAME=VALUE
+  std::vector<std::string> include_dirs;
+  bool allow_write = false;
+  bool quiet = false;
+  std::optional<int> bands;
+  std::string dispersion;
+  bool spectral = false;
+
+  void add_to(CLI::App& app, bool with_plan);
+};
+
+/// Parses the command line; -1 to go on, else the exit status.
+int parse_arguments(CLI::App& app, int argc, char** argv);
+
+/// Evaluates the scene and prints its diagnostics and messages.
+/// @return the scene, or nullopt and the exit status in `status`
+std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status);
+
+/// The plan of the scene under the command line's overrides; prints what is wrong.
+std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
+                                     SceneArguments const& arguments, int& status);
+
+/// Where abbe's own includes and catalogues are: $ABBE_STDLIB, else where it was built.
+std::filesystem::path stdlib_dir();
+
+/// Set by Ctrl-C (and SIGTERM) once catch_interrupts was called; a second Ctrl-C ends at once.
+std::atomic<bool> const& interrupted();
+void catch_interrupts();
+
+} // namespace abbe::cli
