@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 #include "lang/blocks.hpp"
+#include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
 
@@ -98,6 +99,19 @@ Value background_value(Reader& in, std::string_view) {
   return {};
 }
 
+/// A block that is not supported yet where a value is wanted. What is declared as a shape can then
+/// be used without a further message.
+Value unsupported_value(Reader& in, std::string_view head) {
+  Span const span = in.block_span();
+  report_unsupported(in, head, span);
+  while (!in.at_end()) in.skip();
+  if (!is_unsupported_shape(head)) return Value{Numeric{0, false, {}}, span};
+  scene::Object nothing;
+  nothing.kind = scene::Object::Kind::Union;
+  nothing.span = span;
+  return shared(std::move(nothing), span);
+}
+
 // -------------------------------------------------------------------------- placing into the scene
 
 template <class T>
@@ -153,6 +167,12 @@ std::vector<BlockKind> const& all_kinds() {
     std::vector<BlockKind> all(std::begin(kinds_without_shapes), std::end(kinds_without_shapes));
     for (auto const& shape : geometry::shape_kinds())
       all.push_back({shape.keyword, object_value, place_object_value});
+    auto const known = all.size();
+    for (std::string_view const word : unsupported_words())
+      if (std::ranges::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known), word,
+                            &BlockKind::head)
+          == all.begin() + static_cast<std::ptrdiff_t>(known))
+        all.push_back({word, unsupported_value, nullptr});
     std::ranges::sort(all, {}, &BlockKind::head);
     return all;
   }();
@@ -162,7 +182,7 @@ std::vector<BlockKind> const& all_kinds() {
 void read_block_statement(Reader& in) {
   std::string const head(in.next_word());
   BlockKind const* const kind = find_block_kind(head);
-  if (!kind) return reject(in, "the scene");
+  if (!kind || kind->read == unsupported_value) return reject(in, "the scene");
   if (!kind->place) {
     in.report(Severity::Error, "E0255",
               fmt::format("'{}' cannot stand alone: it belongs inside an object or behind #declare",
@@ -200,7 +220,7 @@ BlockKind const* find_block_kind(std::string_view head) {
 
 void read_statement(Reader& in) {
   if (in.next() == Next::Block) return read_block_statement(in);
-  if (in.next() == Next::Identifier && place_named(in)) return;
+  if (place_named(in)) return;
   if (in.accept("glass_catalog")) return read_glass_catalog(in);
   if (in.accept("max_trace_level")) {
     state_of(in).scene.settings.max_trace_level = in.integer("max_trace_level", 1, 256);

@@ -58,7 +58,9 @@ scene::Object read_csg(Reader& in, Object::Kind kind) {
       break;
     }
   }
-  if (object.children.empty() && object.lights.empty() && !failed)
+  // An unknown block is reported as such by the caller.
+  bool const unknown_block = in.next() == Next::Block && !find_block_kind(in.next_word());
+  if (object.children.empty() && object.lights.empty() && !failed && !unknown_block)
     in.report(Severity::Error, "E0250", fmt::format("{} {{}} holds no objects", kind_name(kind)),
               object.span);
   return object;

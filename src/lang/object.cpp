@@ -63,9 +63,10 @@ Object read_shape(Reader& in, geometry::ShapeKind const& kind) {
 Object read_wrapped(Reader& in) {
   if (auto object = accept_object(in)) return std::move(*object);
   Span const span = in.block_span();
-  if (!skip_unsupported(in))
-    in.report(Severity::Error, "E0250", "object {} must begin with an object or the name of one",
-              span);
+  if (in.at_end())
+    in.report(Severity::Error, "E0250", "object {} must hold an object or the name of one", span);
+  else
+    reject(in, "object {}, which begins with an object or the name of one");
   while (!in.at_end()) in.skip();
   return nothing(span);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lang/blocks.hpp"
+#include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
 
@@ -9,20 +9,42 @@ namespace abbe::lang {
 
 namespace {
 
-constexpr std::string_view unsupported_words[] = {
-#define ABBE_UNSUPPORTED(word, where, what) word,
+struct Entry {
+  std::string_view word, where, what;
+};
+constexpr Entry entries[] = {
+#define ABBE_UNSUPPORTED(word, where, what) {word, where, what},
 #include "lang/unsupported.def"
 #undef ABBE_UNSUPPORTED
 };
-static_assert(std::ranges::is_sorted(unsupported_words));
+static_assert(std::ranges::is_sorted(entries, {}, &Entry::word));
+
+Entry const* find(std::string_view word) {
+  auto const found = std::ranges::lower_bound(entries, word, {}, &Entry::word);
+  return found != std::end(entries) && found->word == word ? found : nullptr;
+}
 
 } // namespace
 
+std::vector<std::string_view> unsupported_words() {
+  std::vector<std::string_view> words;
+  for (Entry const& entry : entries) words.push_back(entry.word);
+  return words;
+}
+
+bool is_unsupported_shape(std::string_view word) {
+  Entry const* const entry = find(word);
+  return entry && entry->what.starts_with("shape");
+}
+
+void report_unsupported(Reader& in, std::string_view word, Span at) {
+  in.report(Severity::Error, "E0901", fmt::format("'{}' is not supported yet", word), at);
+}
+
 bool skip_unsupported(Reader& in) {
-  std::string_view const word = in.next_word();
-  if (!std::ranges::binary_search(unsupported_words, word)) return false;
-  in.report(Severity::Error, "E0901", fmt::format("'{}' is not supported yet", word),
-            in.next_span());
+  Entry const* const entry = find(in.next_word());
+  if (!entry) return false;
+  report_unsupported(in, entry->word, in.next_span());
   in.skip();
   return true;
 }
