@@ -156,8 +156,11 @@ TEST(GlassCatalogue, EveryFormulaIsSmoothOverTheVisible) {
     auto const glass = *build(entry);
     auto const* formula = std::get_if<GlassFormula>(&glass->model());
     if (!formula || glass->range_nm().lo_nm > 500) continue; // infrared glasses
-    double const lo = std::max(380.0, glass->range_nm().lo_nm);
-    double const hi = std::min(780.0, glass->range_nm().hi_nm);
+    // A quarter of the catalogue states a range that ends within the visible: its formulas go on
+    // smoothly.
+    bool const maker = entry.name.find('/') != std::string::npos && entry.file.stem() != "crystals";
+    double const lo = maker ? 380.0 : std::max(380.0, glass->range_nm().lo_nm);
+    double const hi = maker ? 780.0 : std::min(780.0, glass->range_nm().hi_nm);
     double last = glass->index_unchecked(lo);
     for (double l = lo + 5; l <= hi; l += 5) {
       double const n = glass->index_unchecked(l);
