@@ -53,19 +53,19 @@ INSTANTIATE_TEST_SUITE_P(
     [](auto const& instance) { return instance.param.name; });
 
 /// The published scheme draws a new wavelength where a ray leaves the glass. At grazing entry that
-/// wavelength may find itself totally reflected for ever, so white is kept on the mean and never
-/// exceeded, not in each pixel (docs/dispersion.md).
-TEST(FurnaceFaithful, LosesOnlyWhatTheSecondDrawTraps) {
+/// wavelength may find itself totally reflected for ever, in some bands and not in others: white is
+/// kept on the mean, not in each pixel (docs/dispersion.md).
+TEST(FurnaceFaithful, KeepsWhiteOnTheMean) {
   RenderOptions options;
   options.width = options.height = 24;
   auto const image =
       picture(furnace(std::make_shared<geometry::Sphere>(), n_sf11(), faithful(), 8), options);
   double sum = 0;
   for (float const value : image.rgb) {
-    EXPECT_LT(value, 1 + 1e-3);
+    EXPECT_NEAR(value, 1, 0.2);
     sum += value;
   }
-  EXPECT_GT(sum / static_cast<double>(image.rgb.size()), 1 - 2e-3);
+  EXPECT_NEAR(sum / static_cast<double>(image.rgb.size()), 1, 1e-3);
 }
 
 } // namespace
