@@ -17,15 +17,14 @@ void throw_unclosed(char const* closer, char const* what, Iterator opener, Itera
                     Iterator at, Iterator last) {
   Token const found = next_token(at, last);
   if (found.kind == TokenKind::Unknown && found.text().size() == 1)
-    throw SyntaxError{"E0101", found.begin, found.end,
-                      fmt::format("{} has no meaning here", describe(found))};
+    throw SyntaxError{"E0101", found.begin, found.end, describe(found) + " has no meaning here"};
+  if (found.kind == TokenKind::Unknown)
+    skip_blanks(at, last); // an open comment has its own message
   throw SyntaxError{
       "E0111",
       found.begin,
       found.end,
-      fmt::format("expected '{}' to close the {} opened at {}, found {}", closer, what,
-                  std::string_view(opener, static_cast<std::size_t>(opener_end - opener)),
-                  describe(found)),
+      fmt::format("expected '{}' to close the {}, found {}", closer, what, describe(found)),
       opener,
       opener_end,
       fmt::format("the {} is opened here", what)};

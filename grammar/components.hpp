@@ -87,6 +87,7 @@ struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, 
     state.flavour = flavour_ == Flavour::Bare && flavour == Flavour::Function && open_ == '('
                         ? Flavour::Function
                         : flavour_;
+    char const outer_bracket = std::exchange(state.bracket, open_);
     ++state.brackets;
     state.braces += block;
     if (!this->subject.parse(at, last, context, rcontext, actual)) throw_expected(what_, at, last);
@@ -97,6 +98,7 @@ struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, 
     else if (!may_stay_open(state, opener))
       throw_unclosed(close_, what_, opener, opener + 1, at, last);
     state.closed = closed;
+    state.bracket = outer_bracket;
     state.flavour = flavour;
     --state.brackets;
     state.braces -= block;

@@ -29,6 +29,7 @@ struct State {
   int depth = 0;
   int height = 0;     ///< greatest depth of the tree so far, within the enclosing expression
   int brackets = 0;   ///< open { ( [ < : 0 means that a statement may come
+  char bracket = 0;   ///< the innermost of them, 0 for none
   int braces = 0;     ///< of them '{'
   int directives = 0; ///< open #if, #while ...
   bool closed = true; ///< was the last bracket closed (or left to another branch)?

@@ -230,6 +230,7 @@ std::string describe(Token const& token) {
   if (token.kind == TokenKind::Unknown) {
     if (text.size() == 1 && (text[0] <= 32 || text[0] >= 127))
       return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(text[0]));
+    if (text.size() == 1) return fmt::format("'{}'", text);
     return fmt::format("'{}{}', which cannot be read", text, dots);
   }
   if (token.kind == TokenKind::Directive) {

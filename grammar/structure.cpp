@@ -20,6 +20,7 @@ struct Frame {
   std::vector<Frame> opened{}; ///< what all branches left open; of a Tail: the blocks it continues
 };
 using Kind = Frame::Kind;
+constexpr std::size_t max_open = 4000;
 
 class Scanner {
 public:
@@ -27,6 +28,7 @@ public:
     bool write = false;
     for (Token token = next_token(first, last); token.kind != TokenKind::End;
          token = next_token(token.end, last)) {
+      if (stack_.size() > max_open) break; // the parser stops sooner, and frames nest in each other
       if (token.kind == TokenKind::Directive) {
         std::string_view const word = directive_at(token.begin, last);
         directive(word, token.begin);

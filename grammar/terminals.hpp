@@ -167,7 +167,8 @@ struct PunctuationLiteral : Terminal<PunctuationLiteral, ast::Punctuation> {
   bool scan(Iterator& at, Iterator, State& state, ast::Punctuation& out) const {
     bool const loose =
         (*at == '}' || *at == ')') && state.structure && state.structure->close.contains(at);
-    if (*at != ':' && *at != ';' && !loose) return false;
+    bool const semicolon = *at == ';' && (state.bracket == 0 || state.bracket == '{');
+    if (*at != ':' && !semicolon && !loose) return false;
     out.symbol = *at++;
     out.span = state.span(at - 1, at);
     return true;
