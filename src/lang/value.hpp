@@ -36,7 +36,12 @@ struct Value;
 
 struct ArrayValue {
   std::vector<int> sizes;
-  std::vector<Value> elements;
+  std::vector<Value> elements; ///< the last subscript runs fastest; empty: not set yet
+  int type = -1;               ///< of all elements, fixed by the first one assigned
+  std::string_view type_text;  ///< that type, for messages
+
+  /// May the value become an element? The first fixes the type of all.
+  bool admit(Value const&);
 };
 
 /// A macro: its tree and where it was defined.

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "lang/builtins.hpp"
+#include "lang/interpreter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fmt/format.h>
+
+namespace abbe::lang {
+namespace {
+
+using Arguments = std::span<Argument const>;
+double f(Arguments a, std::size_t i) {
+  return a[i].number.c[0];
+}
+
+/// printf's `%[width].[precision]f` with POV-Ray's meaning of negative numbers.
+std::string formatted(double value, double width, double precision) {
+  int const digits = precision < 0 ? 6 : static_cast<int>(std::min(precision, 300.0));
+  int const columns = static_cast<int>(std::min(std::abs(width), 1000.0));
+  return width < 0 ? fmt::format("{:0{}.{}f}", value, columns, digits)
+                   : fmt::format("{:{}.{}f}", value, columns, digits);
+}
+
+std::string str(CallContext&, Arguments a) {
+  return formatted(f(a, 0), f(a, 1), f(a, 2));
+}
+
+std::string vstr(CallContext&, Arguments a) {
+  auto const count = static_cast<std::size_t>(std::clamp(f(a, 0), 2.0, 5.0));
+  Numeric const& value = a[1].number;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i) text += a[2].text;
+    text += formatted(i < value.size ? value.c[i] : 0, f(a, 3), f(a, 4));
+  }
+  return text;
+}
+
+std::string concat(CallContext&, Arguments a) {
+  std::string text;
+  for (auto const& part : a) text += part.text;
+  return text;
+}
+
+std::string chr(CallContext& context, Arguments a) {
+  double const code = std::trunc(f(a, 0));
+  if (!(code >= 0 && code < 65536)) {
+    context.fail(fmt::format("there is no character {}", code));
+    return {};
+  }
+  auto const c = static_cast<unsigned>(code);
+  if (c < 0x80) return std::string(1, static_cast<char>(c));
+  if (c < 0x800) return {static_cast<char>(0xc0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3f))};
+  return {static_cast<char>(0xe0 | (c >> 12)), static_cast<char>(0x80 | ((c >> 6) & 0x3f)),
+          static_cast<char>(0x80 | (c & 0x3f))};
+}
+
+std::string substr(CallContext& context, Arguments a) {
+  std::string const& text = a[0].text;
+  double const first = std::trunc(f(a, 1));
+  double const count = std::trunc(f(a, 2));
+  if (!(first >= 1 && count >= 0 && first + count - 1 <= static_cast<double>(text.size()))) {
+    context.fail(fmt::format("{} characters from number {} on are not in a string of {}", count,
+                             first, text.size()));
+    return {};
+  }
+  return text.substr(static_cast<std::size_t>(first) - 1, static_cast<std::size_t>(count));
+}
+
+template <char low, char high, int shift>
+std::string shifted(CallContext&, Arguments a) {
+  std::string text = a[0].text;
+  for (char& c : text)
+    if (c >= low && c <= high) c = static_cast<char>(c + shift);
+  return text;
+}
+
+std::string datetime(CallContext& context, Arguments a) {
+  double const seconds = std::floor((f(a, 0) + 10957) * 86400 + 0.5);
+  std::string const format = a.size() > 1 ? a[1].text : "%Y-%m-%d %H:%M:%SZ";
+  std::tm parts{};
+  auto const time = static_cast<std::time_t>(seconds);
+  if (!(std::abs(seconds) < 1e13) || !gmtime_r(&time, &parts)) {
+    context.fail("the date is out of range");
+    return {};
+  }
+  if (format.empty()) return {};
+  char text[512];
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+  std::size_t const size = std::strftime(text, sizeof text, format.c_str(), &parts);
+#pragma GCC diagnostic pop
+  if (size == 0) context.fail("the format gives too long a text");
+  return {text, size};
+}
+
+Numeric strlen_of(CallContext&, Arguments a) {
+  return scalar_of(static_cast<double>(a[0].text.size()));
+}
+
+Numeric strcmp_of(CallContext&, Arguments a) {
+  int const order = a[0].text.compare(a[1].text);
+  return scalar_of(order < 0 ? -1 : order > 0 ? 1 : 0);
+}
+
+Numeric asc(CallContext& context, Arguments a) {
+  if (a[0].text.empty()) return context.fail("the string is empty");
+  return scalar_of(static_cast<unsigned char>(a[0].text[0]));
+}
+
+Numeric val(CallContext&, Arguments a) {
+  return scalar_of(std::strtod(a[0].text.c_str(), nullptr));
+}
+
+constexpr Builtin text_function(std::string_view name, std::string_view signature,
+                                std::string (*text)(CallContext&, Arguments)) {
+  return {name, signature, true, nullptr, text, nullptr};
+}
+
+constexpr Builtin table[] = {
+    text_function("str", "fff", str),
+    text_function("vstr", "fnsff", vstr),
+    text_function("concat", "s*", concat),
+    text_function("chr", "f", chr),
+    text_function("substr", "sff", substr),
+    text_function("strlwr", "s", shifted<'A', 'Z', 32>),
+    text_function("strupr", "s", shifted<'a', 'z', -32>),
+    text_function("datetime", "f?s", datetime),
+    {"strlen", "s", false, strlen_of},
+    {"strcmp", "ss", false, strcmp_of},
+    {"asc", "s", false, asc},
+    {"val", "s", false, val},
+};
+
+} // namespace
+
+std::span<Builtin const> string_builtins() {
+  return table;
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What an expression that stands as an item is to those who read the items: decided by what its
+// names stand for now.
+#include "lang/function.hpp"
+#include "lang/interpreter.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+void ReaderImpl::classify_value(Value const& value, Span span) {
+  Next kind = Next::Identifier;
+  if (std::holds_alternative<Numeric>(value.any)) kind = Next::Numeric;
+  if (std::holds_alternative<std::string>(value.any)) kind = Next::String;
+  set(kind, span);
+  peek_.value = &value;
+}
+
+void ReaderImpl::classify_owned(Value&& value, Span span) {
+  peek_.owned = std::move(value);
+  if (peek_.owned.empty()) peek_.owned.any = poison(); // reported already
+  classify_value(peek_.owned, span);
+}
+
+void ReaderImpl::classify_name(ast::Name const& name, Span span) {
+  if (name.reserved) {
+    set(Next::Numeric, span);
+    return;
+  }
+  Value const* const value = in_.scope.find(in_.scope.symbol(name));
+  if (value && !value->empty()) {
+    in_.expressions.use_deprecated(name);
+    if (std::holds_alternative<MacroValue>(value->any)) {
+      in_.error("E0305",
+                fmt::format("'{}' is a macro: its call needs parentheses, '{}(...)'", name.text,
+                            name.text),
+                span);
+      classify_owned({}, span);
+      return;
+    }
+    classify_value(*value, span);
+    return;
+  }
+  set(Next::Word, span);
+  peek_.word = name.text;
+  peek_.undeclared = true;
+}
+
+/// `P (R*2)`, where P is a plain value: two items written without a comma.
+ast::Call const* ReaderImpl::split_call(ast::Expr const& expr) {
+  auto const* call = ast::get_if<ast::Call>(expr);
+  if (!call || call->callee.reserved) return nullptr;
+  Value const* const value = in_.scope.find(in_.scope.symbol(call->callee));
+  if (!value) return call;
+  bool const callable = std::holds_alternative<MacroValue>(value->any)
+                        || std::holds_alternative<std::shared_ptr<FunctionValue>>(value->any)
+                        || std::holds_alternative<std::shared_ptr<SplineValue>>(value->any);
+  return callable ? nullptr : call;
+}
+
+void ReaderImpl::classify_call(ast::Call const& call, Span span) {
+  if (call.callee.reserved) {
+    Builtin const* const builtin = find_builtin(in_.scope.symbol(call.callee));
+    set(builtin && builtin->yields_string ? Next::String : Next::Numeric, span);
+    return;
+  }
+  Value const* const value = in_.scope.find(in_.scope.symbol(call.callee));
+  auto const* macro = value ? std::get_if<MacroValue>(&value->any) : nullptr;
+  if (macro) {
+    in_.expressions.use_deprecated(call.callee);
+    ++frames_.back().position;
+    push_macro(call, *macro);
+    return;
+  }
+  if (!split_call(*peek_.expr)) {
+    set(Next::Numeric, span);
+    return;
+  }
+  if (frames_.back().part == 0)
+    classify_name(call.callee, call.callee.span);
+  else
+    set(Next::Numeric, span);
+  peek_.split = &call;
+}
+
+void ReaderImpl::classify(ast::Expr const& expr) {
+  peek_.expr = &expr;
+  if (boost::relaxed_get<ast::LiteralVector>(&expr.get())
+      || boost::relaxed_get<ast::Number>(&expr.get())) {
+    set(Next::Numeric, ast::span_of(expr));
+    return;
+  }
+  Span const span = ast::span_of(expr);
+  if (auto const* name = ast::get_if<ast::Name>(expr)) return classify_name(*name, span);
+  if (auto const* block = ast::get_if<ast::Block>(expr)) {
+    set(Next::Block, span);
+    peek_.block = block;
+    return;
+  }
+  if (ast::get_if<ast::String>(expr)) return set(Next::String, span);
+  if (auto const* call = ast::get_if<ast::Call>(expr)) return classify_call(*call, span);
+  if (auto const* index = ast::get_if<ast::Index>(expr)) {
+    Value const* const value = in_.expressions.element(*index);
+    peek_.expr = &expr;
+    if (value && value->empty()) {
+      in_.error("E0310", fmt::format("element of array '{}' has no value yet", index->array.text),
+                span);
+      return classify_owned({}, span);
+    }
+    if (!value) return classify_owned({}, span);
+    return classify_value(*value, span);
+  }
+  if (ast::get_if<ast::Array>(expr) || ast::get_if<ast::Function>(expr)) {
+    Value value = in_.expressions.value(expr);
+    peek_.expr = &expr;
+    return classify_owned(std::move(value), span);
+  }
+  if (auto const* binary = ast::get_if<ast::Binary>(expr)) {
+    if (auto scaled = in_.expressions.scaled_spectrum(*binary)) {
+      peek_.expr = &expr;
+      return classify_owned(std::move(*scaled), span);
+    }
+  }
+  set(in_.expressions.is_string(expr) ? Next::String : Next::Numeric, span);
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "lang/evaluate.hpp"
+
+#include "lang/interpreter.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <fmt/format.h>
+#include <fstream>
+#include <pthread.h>
+#include <sstream>
+
+namespace abbe::lang {
+namespace {
+
+/// Deeply nested scenes recurse deeply: evaluation has a thread of its own with a stack of 512 MB,
+/// of which only what is used is ever backed by memory (Interpreter::check_limits guards its end).
+constexpr std::size_t stack_size = std::size_t{512} << 20;
+
+struct Work {
+  std::function<void()> run;
+  std::exception_ptr failure;
+};
+
+void* run_work(void* argument) {
+  auto& work = *static_cast<Work*>(argument);
+  try {
+    work.run();
+  } catch (...) {
+    work.failure = std::current_exception();
+  }
+  return nullptr;
+}
+
+void on_large_stack(std::function<void()> run) {
+  Work work{std::move(run), nullptr};
+  pthread_attr_t attributes;
+  pthread_t thread;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, stack_size);
+  int const failed = pthread_create(&thread, &attributes, run_work, &work);
+  pthread_attr_destroy(&attributes);
+  ABBE_ASSERT(failed == 0);
+  pthread_join(thread, nullptr);
+  if (work.failure) std::rethrow_exception(work.failure);
+}
+
+void declare_options(Interpreter& in) {
+  for (auto const& [name, text] : in.options().declarations) {
+    Value& value = in.scope.declare(in.scope.intern(name));
+    char* end = nullptr;
+    double const number = std::strtod(text.c_str(), &end);
+    if (!text.empty() && end == text.c_str() + text.size())
+      value.any = scalar_of(number);
+    else if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+      value.any = text.substr(1, text.size() - 2);
+    else
+      value.any = text;
+  }
+}
+
+Evaluated evaluate(std::string name, std::string text, std::filesystem::path const& folder,
+                   EvaluateOptions const& options) {
+  Evaluated result;
+  result.sources = std::make_unique<SourceSet>();
+  SourceFile const& source = result.sources->add(std::move(name), std::move(text));
+  on_large_stack([&] {
+    Interpreter in(options, *result.sources);
+    in.files.set_scene_folder(folder);
+    try {
+      declare_options(in);
+      in.run(source);
+    } catch (Aborted const&) {
+      result.interrupted = options.stop && options.stop->load();
+    }
+    result.diagnostics = in.take_diagnostics();
+    result.scene = std::move(in.state.scene);
+  });
+  return result;
+}
+
+} // namespace
+
+bool Evaluated::ok() const {
+  return !unreadable && !interrupted
+         && std::none_of(diagnostics.begin(), diagnostics.end(),
+                         [](Diagnostic const& d) { return d.severity == Severity::Error; });
+}
+
+Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  std::error_code failed;
+  bool const readable =
+      std::filesystem::is_regular_file(path, failed) && in && (text << in.rdbuf() || in.eof());
+  bool const empty = readable && std::filesystem::file_size(path, failed) == 0;
+  if (!readable && !empty) {
+    Evaluated result;
+    result.sources = std::make_unique<SourceSet>();
+    result.unreadable = true;
+    result.diagnostics.push_back({"E0501",
+                                  Severity::Error,
+                                  {},
+                                  fmt::format("cannot read the file '{}'", path.generic_string()),
+                                  {}});
+    return result;
+  }
+  return evaluate(path.generic_string(), std::move(text).str(), path.parent_path(), options);
+}
+
+Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions const& options) {
+  std::filesystem::path const folder = std::filesystem::path(name).parent_path();
+  return evaluate(std::move(name), std::move(text), folder, options);
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "lang/function.hpp"
+
+#include "lang/float_functions.hpp"
+#include "lang/interpreter.hpp"
+#include "texture/pattern.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace abbe::lang {
+namespace {
+
+using Node = FunctionValue::Node;
+using Kind = Node::Kind;
+constexpr double eps = 1e-10;
+
+/// Compiles the expression of a body. Loop variables of sum and prod are further parameters.
+class Compiler {
+public:
+  Compiler(Interpreter& in, FunctionValue& out, ast::Function const& tree) : in_(in), out_(out) {
+    if (tree.has_parameters) {
+      for (auto const& name : tree.parameters) names_.push_back({name.text, slots_++});
+    } else {
+      names_ = {{"x", 0}, {"y", 1}, {"z", 2}, {"u", 0}, {"v", 1}};
+      slots_ = 3;
+    }
+    out_.parameters = slots_;
+  }
+
+  bool failed() const { return failed_; }
+
+  std::uint32_t compile(ast::Expr const& expr) {
+    return ast::visit([&](auto const& node) { return (*this)(node); }, expr);
+  }
+
+  std::uint32_t operator()(ast::Number const& node) { return constant(node.value); }
+  std::uint32_t operator()(ast::Name const& node) {
+    for (auto name = names_.rbegin(); name != names_.rend(); ++name)
+      if (name->first == node.text) return add({Kind::Parameter, 0, 0, name->second, 0});
+    return capture(in_.expressions.name(node), node.span);
+  }
+  std::uint32_t operator()(ast::Unary const& node) {
+    std::uint32_t const operand = compile(node.operand);
+    if (node.op == ast::UnaryOp::Plus) return operand;
+    if (node.op == ast::UnaryOp::Minus) return add({Kind::Negate, operand, 0, 0, 0});
+    return wrong("'!' does not belong in a function", node.span);
+  }
+  std::uint32_t operator()(ast::Binary const& node) {
+    constexpr Kind kinds[] = {Kind::Add,   Kind::Sub,      Kind::Mul,          Kind::Div,
+                              Kind::And,   Kind::Or,       Kind::Less,         Kind::LessEqual,
+                              Kind::Equal, Kind::NotEqual, Kind::GreaterEqual, Kind::Greater};
+    std::uint32_t const left = compile(node.left);
+    std::uint32_t const right = compile(node.right);
+    return add({kinds[static_cast<std::size_t>(node.op)], left, right, 0, 0});
+  }
+  std::uint32_t operator()(ast::Paren const& node) {
+    ast::Expr const* const only = Expressions::sole(node.items);
+    return only ? compile(*only) : wrong("expected one expression", node.span);
+  }
+  std::uint32_t operator()(ast::Member const& node) {
+    return capture(in_.expressions(node), node.span);
+  }
+  std::uint32_t operator()(ast::Index const& node) {
+    return capture(in_.expressions(node), node.span);
+  }
+  std::uint32_t operator()(ast::Call const& node) {
+    std::string_view const name = node.callee.text;
+    if (name == "sum" || name == "prod") return loop(node);
+    if (name == "internal" || name == "select" || name == "min" || name == "max"
+        || find_float_function(name))
+      return builtin(node);
+    return user(node);
+  }
+  template <class Other>
+  std::uint32_t operator()(Other const& node) {
+    return wrong("this does not belong in a function, which is made of floats", node.span);
+  }
+
+private:
+  std::uint32_t add(Node node) {
+    out_.nodes.push_back(node);
+    return static_cast<std::uint32_t>(out_.nodes.size() - 1);
+  }
+  std::uint32_t constant(double value) { return add({Kind::Constant, 0, 0, 0, value}); }
+  std::uint32_t wrong(std::string message, Span span) {
+    if (!failed_) in_.error("E0318", std::move(message), span);
+    failed_ = true;
+    return 0;
+  }
+  std::uint32_t capture(Numeric const& n, Span span) {
+    if (n.poisoned()) {
+      failed_ = true;
+      return 0;
+    }
+    if (n.size > 1)
+      return wrong("a vector does not belong in a function, which is made of floats", span);
+    return constant(n.c[0]);
+  }
+
+  std::vector<std::uint32_t> arguments(ast::Call const& node) {
+    std::vector<std::uint32_t> places;
+    for (auto const& items : node.arguments) {
+      ast::Expr const* const only = Expressions::sole(items);
+      places.push_back(only ? compile(*only) : wrong("expected one expression", node.span));
+    }
+    return places;
+  }
+  std::uint32_t add_call(Node node, std::vector<std::uint32_t> const& places) {
+    node.a = static_cast<std::uint32_t>(out_.operands.size());
+    node.b = static_cast<std::uint32_t>(places.size());
+    out_.operands.insert(out_.operands.end(), places.begin(), places.end());
+    return add(node);
+  }
+
+  std::uint32_t builtin(ast::Call const& node) {
+    auto const places = arguments(node);
+    if (failed_) return 0;
+    std::string_view const name = node.callee.text;
+    if (name == "internal") return internal(node, places);
+    Builtin const* const function = find_builtin(in_.scope.symbol(node.callee));
+    ABBE_ASSERT(function);
+    FloatFunction const* const plain = find_float_function(name);
+    bool const right_count = plain ? static_cast<int>(places.size()) == plain->arguments
+                             : name == "select" ? places.size() == 3 || places.size() == 4
+                                                : !places.empty();
+    if (!right_count)
+      return wrong(fmt::format("wrong number of arguments of '{}'", name), node.span);
+    if (plain)
+      return add_call(
+          {Kind::Builtin, 0, 0, static_cast<std::uint32_t>(plain - float_functions().data()), 0},
+          places);
+    Kind const kind = name == "select" ? Kind::Select : name == "min" ? Kind::Min : Kind::Max;
+    return add_call({kind, 0, 0, 0, 0}, places);
+  }
+
+  /// `internal(n)`: the body of the functions of functions.inc.
+  std::uint32_t internal(ast::Call const& node, std::vector<std::uint32_t> const& places) {
+    if (places.size() != 1 || out_.nodes[places[0]].kind != Kind::Constant)
+      return wrong("'internal' takes one number", node.span);
+    int const number = static_cast<int>(out_.nodes[places[0]].value);
+    if (number == 76) {
+      out_.parameters = 3;
+      return add({Kind::Noise, 0, 0, 0, 0});
+    }
+    if (number == 78) {
+      out_.parameters = 4;
+      return add({Kind::NoiseGenerator, 0, 0, 0, 0});
+    }
+    out_.unsupported = fmt::format("the internal function {} is not supported yet", number);
+    return constant(0);
+  }
+
+  /// sum(i, first, last, term)
+  std::uint32_t loop(ast::Call const& node) {
+    auto const* variable = node.arguments.size() == 4 && node.arguments[0].size() == 1
+                               ? ast::get_if<ast::Name>(node.arguments[0][0])
+                               : nullptr;
+    ast::Expr const* parts[3] = {};
+    for (std::size_t i = 0; variable && i < 3; ++i)
+      parts[i] = Expressions::sole(node.arguments[i + 1]);
+    if (!variable || !parts[0] || !parts[1] || !parts[2])
+      return wrong(fmt::format("'{}' takes a variable, its first and last value, and a term",
+                               node.callee.text),
+                   node.span);
+    std::uint32_t const first = compile(*parts[0]);
+    std::uint32_t const last = compile(*parts[1]);
+    std::uint32_t const slot = slots_++;
+    out_.slots = std::max<std::size_t>(out_.slots, slots_);
+    names_.push_back({variable->text, slot});
+    std::uint32_t const term = compile(*parts[2]);
+    names_.pop_back();
+    return add_call({node.callee.text == "sum" ? Kind::Sum : Kind::Product, 0, 0, slot, 0},
+                    {first, last, term});
+  }
+
+  std::uint32_t user(ast::Call const& node) {
+    Value const* const callee = in_.scope.find(in_.scope.symbol(node.callee));
+    auto const* function =
+        callee ? std::get_if<std::shared_ptr<FunctionValue>>(&callee->any) : nullptr;
+    if (!function) return capture(in_.expressions(node), node.span);
+    auto const held = *function;
+    auto const places = arguments(node);
+    if (failed_) return 0;
+    if (!held->unsupported.empty()) {
+      out_.unsupported = held->unsupported;
+      return constant(0);
+    }
+    if (places.size() != held->parameters)
+      return wrong(fmt::format("'{}' takes {} arguments, not {}", node.callee.text,
+                               held->parameters, places.size()),
+                   node.span);
+    out_.called.push_back(held);
+    return add_call({Kind::Function, 0, 0, static_cast<std::uint32_t>(out_.called.size() - 1), 0},
+                    places);
+  }
+
+  Interpreter& in_;
+  FunctionValue& out_;
+  std::vector<std::pair<std::string_view, std::uint32_t>> names_;
+  std::uint32_t slots_ = 0;
+  bool failed_ = false;
+};
+
+/// Evaluates nodes; `slots` are the parameters and loop variables.
+struct Machine {
+  FunctionValue const& function;
+  double* slots;
+
+  double operand(Node const& node, std::uint32_t i) const {
+    return run(function.operands[node.a + i]);
+  }
+
+  double run(std::uint32_t place) const {
+    Node const& node = function.nodes[place];
+    auto const yes = [](bool b) { return b ? 1.0 : 0.0; };
+    switch (node.kind) {
+    case Kind::Constant:
+      return node.value;
+    case Kind::Parameter:
+      return slots[node.c];
+    case Kind::Add:
+      return run(node.a) + run(node.b);
+    case Kind::Sub:
+      return run(node.a) - run(node.b);
+    case Kind::Mul:
+      return run(node.a) * run(node.b);
+    case Kind::Div:
+      return run(node.a) / run(node.b);
+    case Kind::And:
+      return yes(std::abs(run(node.a)) > eps && std::abs(run(node.b)) > eps);
+    case Kind::Or:
+      return yes(std::abs(run(node.a)) > eps || std::abs(run(node.b)) > eps);
+    case Kind::Less:
+      return yes(run(node.a) < run(node.b));
+    case Kind::LessEqual:
+      return yes(run(node.a) <= run(node.b) + eps);
+    case Kind::Equal:
+      return yes(std::abs(run(node.a) - run(node.b)) < eps);
+    case Kind::NotEqual:
+      return yes(!(std::abs(run(node.a) - run(node.b)) < eps));
+    case Kind::GreaterEqual:
+      return yes(run(node.a) + eps >= run(node.b));
+    case Kind::Greater:
+      return yes(run(node.a) > run(node.b));
+    case Kind::Negate:
+      return -run(node.a);
+    case Kind::Builtin:
+      return float_functions()[node.c].compute(operand(node, 0), node.b > 1 ? operand(node, 1) : 0);
+    case Kind::Noise:
+      return texture::noise({slots[0], slots[1], slots[2]});
+    case Kind::NoiseGenerator:
+      return texture::noise({slots[0], slots[1], slots[2]}, static_cast<int>(slots[3]));
+    default:
+      return run_call(node);
+    }
+  }
+
+  double run_call(Node const& node) const {
+    switch (node.kind) {
+    case Kind::Min:
+    case Kind::Max: {
+      double value = operand(node, 0);
+      for (std::uint32_t i = 1; i < node.b; ++i)
+        value = node.kind == Kind::Min ? std::min(value, operand(node, i))
+                                       : std::max(value, operand(node, i));
+      return value;
+    }
+    case Kind::Select: {
+      double const which = operand(node, 0);
+      if (node.b == 3) return operand(node, which < 0 ? 1 : 2);
+      return operand(node, which < 0 ? 1 : which == 0 ? 2 : 3);
+    }
+    case Kind::Sum:
+    case Kind::Product: {
+      double total = node.kind == Kind::Sum ? 0 : 1;
+      double const last = operand(node, 1);
+      for (double i = operand(node, 0); i <= last + eps; i += 1) {
+        slots[node.c] = i;
+        double const term = operand(node, 2);
+        total = node.kind == Kind::Sum ? total + term : total * term;
+      }
+      return total;
+    }
+    default: {
+      std::vector<double> arguments(node.b);
+      for (std::uint32_t i = 0; i < node.b; ++i) arguments[i] = operand(node, i);
+      return evaluate_function(*function.called[node.c], arguments).c[0];
+    }
+    }
+  }
+};
+
+} // namespace
+
+std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpreter& in) {
+  auto function = std::make_shared<FunctionValue>();
+  Compiler compiler(in, *function, tree);
+  in.reader.enter_region(tree.body, tree.span);
+  ast::Expr const* const body = in.reader.take_expression();
+  bool good = body != nullptr;
+  if (!body) {
+    in.error("E0318", "expected the expression of a function", tree.span);
+  } else if (auto const* block = ast::get_if<ast::Block>(*body)) {
+    function->unsupported =
+        fmt::format("a function made of '{} {{ ... }}' is not supported yet", block->head.text);
+    while (!in.reader.at_end()) in.reader.skip();
+  } else {
+    std::uint32_t const result = compiler.compile(*body);
+    good = !compiler.failed();
+    if (good && result + 1 != function->nodes.size())
+      function->nodes.push_back(function->nodes[result]);
+  }
+  if (!good)
+    while (!in.reader.at_end()) in.reader.skip();
+  in.reader.leave_region();
+  return good ? function : nullptr;
+}
+
+Numeric evaluate_function(FunctionValue const& function, std::span<double const> arguments) {
+  ABBE_ASSERT(arguments.size() == function.parameters && function.unsupported.empty());
+  std::vector<double> slots(std::max(function.slots, arguments.size()));
+  std::copy(arguments.begin(), arguments.end(), slots.begin());
+  Numeric n;
+  n.c[0] =
+      Machine{function, slots.data()}.run(static_cast<std::uint32_t>(function.nodes.size() - 1));
+  return n;
+}
+
+} // namespace abbe::lang

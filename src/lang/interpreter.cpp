@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "lang/interpreter.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+namespace {
+
+/// What one evaluation may use of the stack of evaluate()'s thread; see evaluate.cpp.
+constexpr std::uintptr_t stack_share = std::uintptr_t{448} << 20;
+
+std::uintptr_t stack_pointer() {
+  return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+}
+
+} // namespace
+
+Interpreter::Interpreter(EvaluateOptions const& options, SourceSet& sources)
+    : reader(*this), expressions(*this), files(*this), options_(options), sources_(sources) {
+  for (std::size_t i = 1; i < constant_names.size(); ++i) scope.intern(constant_names[i]);
+  for (auto const& function : builtins()) scope.intern(function.name);
+  stack_limit_ = stack_pointer() - stack_share;
+}
+
+ast::Document const& Interpreter::document(SourceFile const& source) {
+  auto& known = documents_[&source];
+  if (!known) {
+    Parsed parsed = parse(source);
+    known = std::make_unique<ast::Document>(std::move(parsed.document));
+    for (auto& error : parsed.errors)
+      report(error.severity, error.code, std::move(error.message), error.span,
+             std::move(error.notes));
+  }
+  return *known;
+}
+
+void Interpreter::report(Severity severity, std::string_view code, std::string message, Span span,
+                         std::vector<Diagnostic::Note> notes) {
+  std::string const key = fmt::format("{} {} {} {}", static_cast<void const*>(span.source),
+                                      span.begin, span.end, message);
+  if (!said_.insert(key).second) return;
+  auto chain = reader.chain();
+  notes.insert(notes.end(), std::make_move_iterator(chain.begin()),
+               std::make_move_iterator(chain.end()));
+  diagnostics_.push_back({std::string(code), severity, span, std::move(message), std::move(notes)});
+  if (severity != Severity::Error) return;
+  if (++errors_ < options_.max_errors) return;
+  diagnostics_.push_back({"E0701",
+                          Severity::Error,
+                          {},
+                          fmt::format("{} errors: the rest is not looked at", errors_),
+                          {}});
+  ++errors_;
+  abort();
+}
+
+void Interpreter::say(std::string_view text) const {
+  if (options_.on_message) options_.on_message(text);
+}
+
+void Interpreter::check_limits(Span span) {
+  if (options_.stop && options_.stop->load(std::memory_order_relaxed)) abort();
+  if (stack_pointer() > stack_limit_) return;
+  stack_limit_ = 0; // room for the report
+  error("E0702", "blocks and expressions nest too deeply here", span);
+  abort();
+}
+
+std::string Interpreter::suggestion(std::string_view name,
+                                    std::vector<std::string_view> others) const {
+  auto const declared = scope.declared();
+  others.insert(others.end(), declared.begin(), declared.end());
+  for (auto const& kind : block_kinds()) others.push_back(kind.head);
+  for (auto const& function : builtins()) others.push_back(function.name);
+  return did_you_mean(name, others);
+}
+
+void Interpreter::run(SourceFile const& source) {
+  ast::Document const& document_ = document(source);
+  if (errors_ > 0) return;
+  reader.enter_region(document_.items,
+                      {&source, 0, static_cast<std::uint32_t>(source.text().size())});
+  while (!reader.at_end()) read_statement(reader);
+  finish_scene(reader);
+  reader.leave_region();
+  state.scene.settings.version = state.effective_version;
+  files.finish();
+}
+
+// What block readers ask of the interpreter (blocks.hpp).
+
+SceneState& scene_state(Interpreter& in) {
+  return in.state;
+}
+
+std::filesystem::path const& stdlib_dir(Interpreter& in) {
+  return in.options().stdlib_dir;
+}
+
+Result<std::string> load_file(Interpreter& in, std::string_view path_as_written) {
+  auto found = in.files.load(path_as_written, in.reader.current_source());
+  if (!found) return found.error();
+  return std::move(found->text);
+}
+
+void read_text(Interpreter& in, std::string name, std::string text,
+               std::function<void(Reader&)> const& read) {
+  SourceFile const& source = in.add_source(std::move(name), std::move(text));
+  int const before = in.error_count();
+  ast::Document const& document = in.document(source);
+  if (in.error_count() > before) return;
+  in.reader.enter_region(document.items,
+                         {&source, 0, static_cast<std::uint32_t>(source.text().size())});
+  read(in.reader);
+  in.reader.leave_region();
+}
+
+} // namespace abbe::lang

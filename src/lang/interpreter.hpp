@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/diagnostic.hpp"
+#include "grammar/parse.hpp"
+#include "lang/blocks.hpp"
+#include "lang/evaluate.hpp"
+#include "lang/expression.hpp"
+#include "lang/files.hpp"
+#include "lang/reader_impl.hpp"
+#include "lang/scope.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace abbe::lang {
+
+/// Thrown to leave an evaluation that cannot go on (`#error`, too many errors, the stop flag,
+/// nesting without end) after the reason was reported. Caught by evaluate_file and evaluate_text
+/// only.
+struct Aborted {};
+
+/// One run over a scene: its names, files, messages and the scene that grows. The pieces that do
+/// the work (Reader, expressions, files) know each other through it.
+class Interpreter {
+public:
+  Interpreter(EvaluateOptions const& options, SourceSet& sources);
+
+  Scope scope;
+  SceneState state;
+  ReaderImpl reader;
+  Expressions expressions;
+  Files files;
+  std::vector<std::uint32_t> random_streams; ///< state of each stream of seed()
+  double version = 3.7;                      ///< what `version` yields
+
+  EvaluateOptions const& options() const { return options_; }
+
+  /// Runs a whole scene. Parsing errors stop it before anything is evaluated.
+  void run(SourceFile const& source);
+
+  /// Parses a source, once; its syntax errors are reported. The tree lives as long as the run.
+  ast::Document const& document(SourceFile const& source);
+  SourceFile const& add_source(std::string name, std::string text) {
+    return sources_.add(std::move(name), std::move(text));
+  }
+
+  /// Adds a message with the chain of macro calls and includes that led to it. The same message at
+  /// the same place is given once. Too many errors abort the run.
+  void report(Severity, std::string_view code, std::string message, Span,
+              std::vector<Diagnostic::Note> notes = {});
+  void error(std::string_view code, std::string message, Span span) {
+    report(Severity::Error, code, std::move(message), span);
+  }
+  void warning(std::string message, Span span) {
+    report(Severity::Warning, "", std::move(message), span);
+  }
+  /// The text of `#debug`.
+  void say(std::string_view text) const;
+  [[noreturn]] void abort() const { throw Aborted{}; }
+  /// To be called in every loop of the user's and at every nesting: leaves when the stop flag is
+  /// set or the stack runs out.
+  void check_limits(Span);
+
+  std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
+  int error_count() const { return errors_; }
+
+  /// "; did you mean 'Radius'?" out of the declared names, the heads of blocks and `others`.
+  std::string suggestion(std::string_view name, std::vector<std::string_view> others = {}) const;
+
+private:
+  EvaluateOptions const& options_;
+  SourceSet& sources_;
+  std::unordered_map<SourceFile const*, std::unique_ptr<ast::Document>> documents_;
+  std::vector<Diagnostic> diagnostics_;
+  std::unordered_set<std::string> said_;
+  int errors_ = 0;
+  std::uintptr_t stack_limit_ = 0; ///< the lowest address that may be used
+};
+
+} // namespace abbe::lang

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Expected values: section 22 and the [T] marks of the language notes, and what `povray` 3.7.0.10
+// prints for the same #debug line.
+#include "core_run.hpp"
+
+namespace abbe::lang {
+namespace {
+
+TEST(Expression, AndAndOrHaveTheSamePrecedence) {
+  EXPECT_EQ(value_of("(1|1&0)"), "0.000000000000");
+}
+
+TEST(Expression, ComparisonsGroupFromTheLeft) {
+  EXPECT_EQ(value_of("(1<2<1)"), "0.000000000000");
+  EXPECT_EQ(value_of("(3>2>1)"), "0.000000000000");
+}
+
+TEST(Expression, EqualityHasATolerance) {
+  EXPECT_EQ(value_of("(1=1.00000000001)"), "1.000000000000");
+  EXPECT_EQ(value_of("(1<=0.99999999999)"), "1.000000000000");
+  EXPECT_EQ(value_of("(1<0.99999999999)"), "0.000000000000");
+}
+
+TEST(Expression, SmallerOperandIsPromoted) {
+  EXPECT_EQ(vector_of("<1,2>*<1,2,3>+1"), "2.000000,5.000000,1.000000");
+  EXPECT_EQ(vector_of("(<1,2,3> < <2,2,2>)"), "1.000000,0.000000,0.000000");
+}
+
+TEST(Expression, MembersBindToOnePrimary) {
+  EXPECT_EQ(
+      said("#declare V=<1,2,3>; #declare A=array[1]{V} "
+           "#debug concat(str(-V.x,0,0),str(<1,2,3>.y,0,0),str(A[0].z,0,0),str((V*2).z,0,0))"),
+      "-1236");
+}
+
+TEST(Expression, VectorFunctions) {
+  EXPECT_EQ(vector_of("vrotate(x,<90,90,0>)"), "0.000000,0.000000,-1.000000");
+  EXPECT_EQ(vector_of("vrotate(x,90*z)"), "0.000000,1.000000,0.000000");
+  EXPECT_EQ(vector_of("vaxis_rotate(x,y,90)"), "0.000000,0.000000,-1.000000");
+  EXPECT_EQ(vector_of("vaxis_rotate(<1,2,3>,<1,1,0>,33)"), "2.236019,0.763981,2.901129");
+  EXPECT_EQ(vector_of("vrotate(<1,2,3>,<10,20,30>)"), "1.067425,2.289059,2.760581");
+  EXPECT_EQ(vector_of("vcross(x,y)"), "0.000000,0.000000,1.000000");
+  EXPECT_EQ(vector_of("vturbulence(2,.5,6,<.3,.7,1.9>)"), "-0.316815,-0.473953,-0.150193");
+}
+
+TEST(Expression, FloatFunctions) {
+  EXPECT_EQ(
+      said("#debug concat(str(div(-7,2),0,0),\" \",str(mod(-7,3),0,2),\" \",str(int(-3.7),0,0),"
+           "\" \",str(floor(-3.2),0,0),\" \",str(select(-1,1,2),0,0),str(select(0,1,2),0,0),"
+           "str(select(0,1,2,3),0,0),\" \",str(bitwise_xor(5,3),0,0),\" \",str(max(3,1,2),0,0))"),
+      "-3 -1.00 -3 -4 122 6 3");
+}
+
+TEST(Expression, RandomStreamsAreThoseOfPovRay) {
+  EXPECT_EQ(said("#declare S=seed(0); #for(I,1,4) #debug concat(str(rand(S),0,12),\" \") #end"),
+            "0.000002874294 0.466563684509 0.249070228834 0.965876042136 ");
+  EXPECT_EQ(said("#declare S=seed(12345); #for(I,1,2) #debug concat(str(rand(S),0,12),\" \") #end"),
+            "0.466563684509 0.249070228834 ");
+}
+
+TEST(Expression, StringFunctions) {
+  EXPECT_EQ(
+      said(
+          "#debug concat(\"[\",str(3.14159,8,2),\"] [\",str(-3.5,-8,2),\"] [\",str(7,0,-1),\"]\")"),
+      "[    3.14] [-0003.50] [7.000000]");
+  EXPECT_EQ(said("#debug concat(vstr(5,<1,2>,\"/\",0,1),\" \",vstr(7,3,\"/\",0,1))"),
+            "1.0/2.0/0.0/0.0/0.0 3.0/0.0/0.0/0.0/0.0");
+  EXPECT_EQ(said("#debug concat(substr(\"Hello\",2,3),chr(65),strupr(\"aBc\"),strlwr(\"aBc\"),"
+                 "str(asc(\"A\"),0,0),str(val(\"12.5e1x\"),0,1),str(strcmp(\"a\",\"b\"),0,0))"),
+            "ellAABCabc65125.0-1");
+  EXPECT_EQ(said("#debug concat(datetime(0),\"|\",datetime(5000.5,\"%Y-%m-%d %H:%M:%S\"))"),
+            "2000-01-01 00:00:00Z|2013-09-09 12:00:00");
+}
+
+TEST(Expression, ColoursKeepWhatTheyAre) {
+  EXPECT_EQ(said("#declare C=rgb<1,2,3>; #declare R=C.red; #debug str(R,0,1)"), "1.0");
+  EXPECT_EQ(said("#declare C=color red .5 filter .25; #debug vstr(5,C,\",\",0,2)"),
+            "0.50,0.00,0.00,0.25,0.00");
+  EXPECT_EQ(said("#declare W=rgb 1; #declare C=W filter .5; #debug vstr(5,C,\",\",0,1)"),
+            "1.0,1.0,1.0,0.5,0.0");
+}
+
+TEST(Expression, StringsCompare) {
+  EXPECT_EQ(said("#if(\"a\"<\"b\") #debug \"yes\" #end"), "yes");
+  EXPECT_EQ(said("#declare S=\"b\"; #if(S=\"b\") #debug \"yes\" #end"), "yes");
+}
+
+TEST(Expression, ErrorsAreReportedOnce) {
+  EXPECT_EQ(codes_of("#declare A = Nowhere*2+1; #declare B = A*2; sphere { B, A }"), "E0201");
+  EXPECT_EQ(codes_of("#declare A = sqrt(-1);"), "E0306");
+  EXPECT_EQ(codes_of("#declare A = ln(0);"), "E0306");
+  EXPECT_EQ(codes_of("#declare A = <1,2>.z;"), "E0324");
+  EXPECT_EQ(codes_of("#declare A = sin(<1,2,3>);"), "E0302");
+  EXPECT_EQ(codes_of("#declare A = sin(1,2);"), "E0316");
+  EXPECT_EQ(codes_of("#declare A = \"a\" + 1;"), "E0301");
+}
+
+TEST(Expression, DivisionByZeroIsHugeAndWarned) {
+  EXPECT_NE(said("#declare A = 1/0; #if (A > 1e100) #debug \"huge\" #end").find("huge"),
+            std::string::npos);
+  EXPECT_EQ(codes_of("#declare A = 1/0;"), "");
+  EXPECT_EQ(codes_of("#declare A = 1/0; sphere { 0, A }"), "E0303");
+}
+
+} // namespace
+} // namespace abbe::lang
