@@ -175,9 +175,16 @@ std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, doub
 
 std::optional<PlacedShape> read_prism(Parameters& parameters) {
   bool supported = true;
-  for (std::string_view const word : {"linear_spline", "quadratic_spline", "cubic_spline",
-                                      "bezier_spline", "linear_sweep", "conic_sweep"}) {
-    if (parameters.accept(word)) supported = supported && word.starts_with("linear");
+  auto const kind = [&] {
+    for (std::string_view const word : {"linear_spline", "quadratic_spline", "cubic_spline",
+                                        "bezier_spline", "linear_sweep", "conic_sweep"}) {
+      if (!parameters.accept(word)) continue;
+      supported = supported && word.starts_with("linear");
+      return true;
+    }
+    return false;
+  };
+  while (kind()) {
   }
   double const y1 = parameters.number("first height"), y2 = parameters.number("second height");
   int const count = parameters.integer("number of points", 3, 1 << 24);
