@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace abbe::geometry {
+namespace abbe::geometry::test {
 namespace {
-using namespace test;
 
 /// T-COIN in miniature: box minus box with two coincident faces (a square tube), the two boxes
 /// placed by differently composed matrices. In the frame of the box: does the ray meet the tube?
@@ -378,4 +377,4 @@ TEST(Mesh, AMillionFacesAreSmallAndQuick) {
 }
 
 } // namespace
-} // namespace abbe::geometry
+} // namespace abbe::geometry::test

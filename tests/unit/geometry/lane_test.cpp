@@ -5,9 +5,8 @@
 #include <bit>
 #include <gtest/gtest.h>
 
-namespace abbe::geometry {
+namespace abbe::geometry::test {
 namespace {
-using namespace test;
 using lane::Double4;
 
 template <class L>
@@ -98,4 +97,4 @@ TEST(Lanes, ProductErrorIsExact) {
 }
 
 } // namespace
-} // namespace abbe::geometry
+} // namespace abbe::geometry::test

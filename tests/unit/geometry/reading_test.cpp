@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace abbe::geometry {
+namespace abbe::geometry::test {
 namespace {
-using namespace test;
 
 /// Parameters from words between blanks: `<1,2,3>` is a vector, `{` and `}` stand alone.
 class Words final : public Parameters {
@@ -196,4 +195,4 @@ TEST(World, ContainingIsOrderedByEntry) {
 }
 
 } // namespace
-} // namespace abbe::geometry
+} // namespace abbe::geometry::test

@@ -17,9 +17,8 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace abbe::geometry {
+namespace abbe::geometry::test {
 namespace {
-using namespace test;
 using Quad = __float128;
 
 struct Sample {
@@ -318,4 +317,4 @@ TEST(Degenerate, ParametersMakeNoShape) {
 }
 
 } // namespace
-} // namespace abbe::geometry
+} // namespace abbe::geometry::test

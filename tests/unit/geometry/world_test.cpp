@@ -9,9 +9,8 @@
 
 #include <gtest/gtest.h>
 
-namespace abbe::geometry {
+namespace abbe::geometry::test {
 namespace {
-using namespace test;
 
 TEST(World, SphereIsMetInFrontAndFromInside) {
   World const world({*make_sphere({0, 0, 5}, 2)}, {{leaf(0)}});
@@ -80,4 +79,4 @@ TEST(World, ClipShowsTheFirstInsideTheOthersWithoutCaps) {
 }
 
 } // namespace
-} // namespace abbe::geometry
+} // namespace abbe::geometry::test
