@@ -36,7 +36,7 @@ public:
 
   /// Inside the block of a triangle.
   void triangle(bool smooth) {
-    Vec3 corner[3], normal[3];
+    Vec3 corner[3]{}, normal[3]{}; // GLM leaves them undefined otherwise
     bool good = true;
     for (int i = 0; i < 3; ++i) {
       corner[i] = in_.vec3("corner");
