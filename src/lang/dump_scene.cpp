@@ -130,7 +130,7 @@ private:
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);
     std::string edges;
-    for (double const edge : p.boundaries_nm) edges += " " + text(edge);
+    for (double const edge : p.boundaries_nm) edges += fmt::format(" {}", text(edge));
     line("boundaries{}", edges);
   }
 
@@ -144,7 +144,7 @@ private:
   void light(scene::Light const& l) {
     using Kind = scene::Light::Kind;
     std::string rest;
-    if (l.kind != Kind::Point) rest += " point_at " + text(l.point_at);
+    if (l.kind != Kind::Point) rest += fmt::format(" point_at {}", text(l.point_at));
     if (l.kind == Kind::Spot)
       rest += fmt::format(" radius {} falloff {} tightness {}", text(l.radius_deg),
                           text(l.falloff_deg), text(l.tightness));
@@ -212,8 +212,8 @@ private:
       rest +=
           fmt::format(" turbulence {} octaves {} omega {} lambda {}", text(m.turbulence->amount),
                       m.turbulence->octaves, text(m.turbulence->omega), text(m.turbulence->lambda));
-    if (m.frequency) rest += " frequency " + text(*m.frequency);
-    if (m.phase != 0) rest += " phase " + text(m.phase);
+    if (m.frequency) rest += fmt::format(" frequency {}", text(*m.frequency));
+    if (m.phase != 0) rest += fmt::format(" phase {}", text(m.phase));
     if (m.wave) rest += fmt::format(" wave {}", static_cast<int>(*m.wave));
     // A pattern has no name here: its values at two places tell which it is.
     line("{} pattern value {} {} noise_generator {}{}", role,
@@ -237,7 +237,7 @@ private:
     scene::Reflection const& r = *f.reflection;
     line("reflection {} to {}{} falloff {} exponent {} metallic {}{}", text(r.minimum),
          text(r.maximum), r.fresnel ? " fresnel" : "", text(r.falloff), text(r.exponent),
-         text(r.metallic), r.metal ? " metal " + r.metal->name() : "");
+         text(r.metallic), r.metal ? fmt::format(" metal {}", r.metal->name()) : "");
   }
 
   void interior(scene::Interior const& i) {

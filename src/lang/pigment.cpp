@@ -30,12 +30,12 @@ std::shared_ptr<Pigment const> plain(scene::Colour colour) {
 /// What a pigment is while its block is read.
 struct Draft {
   Pigment& pigment;
-  std::optional<PatternInstance> instance; ///< the pattern, open for changes
+  std::unique_ptr<PatternInstance> instance; ///< the pattern, open for changes
 
   explicit Draft(Pigment& target) : pigment(target) { load(); }
   void load() {
     instance.reset();
-    if (pigment.pattern) instance = *pigment.pattern;
+    if (pigment.pattern) instance = std::make_unique<PatternInstance>(*pigment.pattern);
   }
   void store() {
     pigment.pattern = instance ? std::make_shared<PatternInstance const>(*instance) : nullptr;
@@ -90,7 +90,7 @@ bool read_pattern(Reader& in, Draft& draft) {
   texture::PatternKind const* const kind = find_pattern(in.next_word());
   if (!kind || !in.accept(kind->keyword)) return false;
   if (!draft.instance) {
-    draft.instance.emplace();
+    draft.instance = std::make_unique<PatternInstance>();
     draft.instance->modifiers.noise_generator =
         scene_state(in.interpreter()).default_noise_generator;
   }
