@@ -31,7 +31,8 @@ void throw_unclosed(char const* closer, char const* what, Iterator opener, Itera
 }
 
 void throw_too_deep(Iterator at) {
-  throw SyntaxError{"E0701", at, at + 1, fmt::format("nested deeper than {} levels", max_nesting)};
+  throw SyntaxError{"E0701", at, at + 1,
+                    fmt::format("nested too deeply (the limit is {} levels)", max_nesting)};
 }
 
 void throw_too_high(Iterator begin, Iterator end) {

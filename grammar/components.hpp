@@ -23,10 +23,18 @@ inline bool closes_other(State const& state, Iterator closer) {
   return state.structure && state.structure->close.contains(closer);
 }
 
+inline std::size_t stack_distance(char const* start, char const* here) {
+  auto const a = reinterpret_cast<std::uintptr_t>(start);
+  auto const b = reinterpret_cast<std::uintptr_t>(here);
+  return a > b ? a - b : b - a;
+}
+
 /// One level deeper. Restores depth unless an exception passes.
 struct Nest {
   Nest(State& state, Iterator at) : state_(state) {
-    if (++state.depth > max_nesting) throw_too_deep(at);
+    char here = 0;
+    if (++state.depth > max_nesting || stack_distance(state.stack_start, &here) > max_stack)
+      throw_too_deep(at);
     if (state.height < state.depth) state.height = state.depth;
   }
   void leave() { --state_.depth; }
@@ -197,6 +205,27 @@ struct IntoMaker {
 template <class Node, class Member>
 constexpr IntoMaker<Node, Member> into(Member Node::*member) {
   return {member};
+}
+
+/// Parses in a stack frame of its own: keeps the temporaries of leaves out of the frames that recur
+/// with every level of nesting.
+template <class Attribute, class Subject>
+struct OutlinedDirective : x3::unary_parser<Subject, OutlinedDirective<Attribute, Subject>> {
+  using x3::unary_parser<Subject, OutlinedDirective<Attribute, Subject>>::unary_parser;
+  using attribute_type = Attribute;
+  static bool const has_attribute = true;
+  static bool const handles_container = false;
+
+  template <class AnyContext, class RContext>
+  [[gnu::noinline]] bool parse(Iterator& first, Iterator const& last, AnyContext const& context,
+                               RContext& rcontext, Attribute& actual) const {
+    return this->subject.parse(first, last, context, rcontext, actual);
+  }
+};
+template <class Attribute, class Subject>
+constexpr auto outlined(Subject const& inner) {
+  using Parser = typename x3::extension::as_parser<Subject>::value_type;
+  return OutlinedDirective<Attribute, Parser>(x3::as_parser(inner));
 }
 
 template <class Subject>

@@ -18,6 +18,8 @@ namespace x3 = boost::spirit::x3;
 enum class Flavour : std::uint8_t { Bare, Full, Function };
 
 constexpr int max_nesting = 1000; ///< blocks, parentheses, vectors, bodies of directives
+/// Bytes of stack. A release build needs 2 MB for max_nesting; builds with sanitizers stop sooner.
+constexpr std::size_t max_stack = 5u << 20;
 constexpr int max_height =
     4000; ///< of the tree, operators included: `lang` and destructors recurse
 
@@ -32,7 +34,8 @@ struct State {
   char bracket = 0;   ///< the innermost of them, 0 for none
   int braces = 0;     ///< of them '{'
   int directives = 0; ///< open #if, #while ...
-  bool closed = true; ///< was the last bracket closed (or left to another branch)?
+  char const* stack_start = nullptr;
+  bool closed = true;               ///< was the last bracket closed (or left to another branch)?
   Iterator path_word_end = nullptr; ///< end of `png`, `ttf` ...: a string right after it is a path
 
   Iterator end = nullptr;             ///< of the text

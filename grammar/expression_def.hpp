@@ -29,8 +29,10 @@ auto const reference_def = index_ | name;
 
 auto const arguments = between('(', ')', "argument list", Flavour::Bare)[-(argument % mark(','))];
 
-auto const postfix_def = with_member(NumberLiteral{} | LiteralVector{} | StringLiteral{}
-                                     | name_led(arguments, subscript) | paren | vector_);
+auto const literal = NumberLiteral{} | LiteralVector{} | StringLiteral{};
+auto const postfix_def =
+    with_member(outlined<ast::Expr>(literal) | outlined<ast::Expr>(name_led(arguments, subscript))
+                | outlined<ast::Expr>(paren | vector_));
 
 // ----------------------------------------------------------------------------------- operators
 auto const unary = prefixed(postfix);

@@ -42,10 +42,11 @@ auto const function_def = keyword("function") > x3::matches[&mark('(')] > -param
                           > between('{', '}', "function", Flavour::Function)[items];
 
 // ---------------------------------------------------------------------------------------- items
-auto const operand_def = function | array | block | bare_block | expression;
+auto const operand_def = outlined<ast::Expr>(function | array | block | bare_block) | expression;
 
 x3::rule<ItemId, ast::Item> const item = "an item";
-auto const item_def = directive | operand | WordLiteral{} | bracket | PunctuationLiteral{};
+auto const item_def = outlined<ast::Item>(directive) | outlined<ast::Item>(operand)
+                      | outlined<ast::Item>(WordLiteral{} | bracket | PunctuationLiteral{});
 
 auto const items_def = list_of(item);
 auto const argument_def = +item;

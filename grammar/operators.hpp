@@ -81,6 +81,22 @@ struct ChainDirective : x3::unary_parser<Subject, ChainDirective<Subject>> {
       height.leave(0, first, at);
       return false;
     }
+    int operators = 0;
+    ast::BinaryOp op{};
+    Iterator next = skip_blanks(at, last);
+    if (next != last && scan_operator(level_, next, last, op))
+      operators = rest(at, last, context, rcontext, out);
+    height.leave(operators, first, at);
+    first = at;
+    return true;
+  }
+
+private:
+  /// Apart from parse(), so that plain operands nest in small stack frames.
+  template <class AnyContext, class RContext>
+  [[gnu::noinline]] int rest(Iterator& at, Iterator const& last, AnyContext const& context,
+                             RContext& rcontext, ast::Expr& out) const {
+    State& state = state_of(context);
     std::vector<std::pair<ast::BinaryOp, ast::Expr>> pending; // when grouping from the right
     int operators = 0;
     for (;; ++operators) {
@@ -91,6 +107,7 @@ struct ChainDirective : x3::unary_parser<Subject, ChainDirective<Subject>> {
       if (!this->subject.parse(next, last, context, rcontext, right))
         throw_expected("a value after the operator", next, last);
       at = next;
+      if (operators > max_height) throw_too_high(at, last);
       if (grouping_ == Grouping::Left)
         out = make_binary(state, op, std::move(out), std::move(right));
       else
@@ -98,9 +115,7 @@ struct ChainDirective : x3::unary_parser<Subject, ChainDirective<Subject>> {
     }
     for (auto p = pending.rbegin(); p != pending.rend(); ++p)
       out = make_binary(state, p->first, std::move(p->second), std::move(out));
-    height.leave(operators, first, at);
-    first = at;
-    return true;
+    return operators;
   }
   Level level_;
   Grouping grouping_;
@@ -122,11 +137,19 @@ struct PrefixDirective : x3::unary_parser<Subject, PrefixDirective<Subject>> {
   template <class AnyContext, class RContext>
   bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
              ast::Expr& out) const {
-    State& state = state_of(context);
-    Iterator at = skip_blanks(first, last);
-    Iterator const begin = at;
+    Iterator const at = skip_blanks(first, last);
     if (at != last && *at != '+' && *at != '-' && *at != '!')
       return this->subject.parse(first, last, context, rcontext, out);
+    return signed_operand(first, at, last, context, rcontext, out);
+  }
+
+private:
+  template <class AnyContext, class RContext>
+  [[gnu::noinline]] bool signed_operand(Iterator& first, Iterator at, Iterator const& last,
+                                        AnyContext const& context, RContext& rcontext,
+                                        ast::Expr& out) const {
+    State& state = state_of(context);
+    Iterator const begin = at;
     Height height(state);
     std::vector<Iterator> signs;
     for (; at != last && (*at == '+' || *at == '-' || *at == '!'); at = skip_blanks(at, last)) {
@@ -169,8 +192,14 @@ struct TernaryDirective
   bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
              ast::Expr& out) const {
     if (!this->left.parse(first, last, context, rcontext, out)) return false;
-    Iterator at = skip_blanks(first, last);
-    if (at == last || *at != '?') return true;
+    Iterator const at = skip_blanks(first, last);
+    return at == last || *at != '?' || rest(first, at, last, context, rcontext, out);
+  }
+
+private:
+  template <class AnyContext, class RContext>
+  [[gnu::noinline]] bool rest(Iterator& first, Iterator at, Iterator const& last,
+                              AnyContext const& context, RContext& rcontext, ast::Expr& out) const {
     State& state = state_of(context);
     Nest nest(state, at);
     Iterator const question = at++;

@@ -54,6 +54,8 @@ public:
   }
 
   Parsed operator()() {
+    char const here = 0;
+    state_.stack_start = &here;
     Iterator at = state_.begin;
     while (parsed_.errors.size() < max_errors) {
       start_afresh();
@@ -71,6 +73,7 @@ private:
     fresh.source = state_.source;
     fresh.begin = state_.begin;
     fresh.end = state_.end;
+    fresh.stack_start = state_.stack_start;
     fresh.structure = std::move(state_.structure);
     state_ = std::move(fresh);
   }

@@ -12,9 +12,9 @@ constexpr std::array<std::string_view, 13> components = {
 
 } // namespace
 
-bool scan_member(Iterator& first, Iterator last, State& state, ast::Name& member) {
+void take_member(Iterator& first, Iterator last, State& state, ast::Expr& operand) {
   Iterator at = skip_blanks(first, last);
-  if (at == last || *at != '.' || (last - at > 1 && is_digit(at[1]))) return false;
+  if (last - at > 1 && is_digit(at[1])) return;
   Iterator const dot = at;
   at = skip_blanks(at + 1, last);
   std::string_view const word = scan_word(at, last);
@@ -26,11 +26,10 @@ bool scan_member(Iterator& first, Iterator last, State& state, ast::Name& member
                     "gray) after '.', found {}",
                     describe(found))};
   }
-  member.text.assign(word);
-  member.reserved = true;
   first = at + word.size();
-  member.span = state.span(at, first);
-  return true;
+  Span const whole{state.source, ast::span_of(operand).begin, state.span(at, first).end};
+  ast::Name member{state.span(at, first), std::string(word), true};
+  operand = ast::Member{whole, std::move(operand), std::move(member)};
 }
 
 } // namespace abbe::grammar

@@ -6,9 +6,10 @@
 /// Operands that begin with a name, their members, and the choice of an expression by flavour.
 namespace abbe::grammar {
 
-/// `.x` behind an operand: moves past it and yields the component's name, or leaves all alone.
+/// `.x` behind an operand: makes a Member of it; a '.' before a digit begins a number and is left
+/// alone.
 /// @throws SyntaxError E0115 for a name that is no component
-bool scan_member(Iterator& at, Iterator last, State& state, ast::Name& member);
+void take_member(Iterator& at, Iterator last, State& state, ast::Expr& operand);
 
 /// name, `name(arguments)` or `name[i][j]`: reads the name once.
 template <class Arguments, class Subscript>
@@ -66,12 +67,8 @@ struct MemberDirective : x3::unary_parser<Subject, MemberDirective<Subject>> {
   bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
              ast::Expr& out) const {
     if (!this->subject.parse(first, last, context, rcontext, out)) return false;
-    State& state = state_of(context);
-    ast::Member node;
-    if (!scan_member(first, last, state, node.member)) return true;
-    node.operand = std::move(out);
-    node.span = {state.source, ast::span_of(node.operand).begin, node.member.span.end};
-    out = std::move(node);
+    Iterator const at = skip_blanks(first, last);
+    if (at != last && *at == '.') take_member(first, last, state_of(context), out);
     return true;
   }
 };
