@@ -23,14 +23,8 @@ PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point
     for (int k = 0; k < beam.lanes; ++k) value.colour[k] = p.colour.value[beam.channel[k]];
     return value;
   }
-  double const at = p.pattern->evaluate(point);
-  texture::MapPosition position;
-  if (p.is_list) {
-    position.first = std::clamp(static_cast<int>(at), 0, static_cast<int>(p.entries.size()) - 1);
-    position.second = position.first;
-  } else {
-    position = texture::look_up(p.values, at);
-  }
+  // The items of a list stand at 0, 1 ..: a written frequency or wave blends them, as in POV-Ray.
+  texture::MapPosition const position = texture::look_up(p.values, p.pattern->evaluate(point));
   auto const entry = [&](int i) { return p.entries[static_cast<std::size_t>(i)]; };
   // The entries see the point after the parent's own warps and transforms.
   Vec3 inner = point;

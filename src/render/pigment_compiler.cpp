@@ -19,7 +19,6 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
   if (pigment.pattern) {
     CompiledPigment out;
     out.pattern = pigment.pattern;
-    out.is_list = pigment.pattern->pattern->list_size() > 0;
     out.opaque = true;
     for (auto const& entry : pigment.entries) {
       out.values.push_back(entry.value);

@@ -29,7 +29,6 @@ struct CompiledColour {
 struct CompiledPigment {
   CompiledColour colour; ///< of a plain one
   std::shared_ptr<texture::PatternInstance const> pattern;
-  bool is_list = false;
   std::vector<double> values;
   std::vector<int> entries; ///< numbers of pigments
   bool opaque = true;       ///< nowhere does light pass
