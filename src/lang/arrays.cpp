@@ -86,7 +86,7 @@ std::shared_ptr<Value> Expressions::element_cell(ast::Index const& node) {
       ast::Expr const& subscript = node.subscripts[used + d];
       double const at = scalar(subscript, "a subscript");
       // As POV-Ray: toward zero, with its tolerance.
-      auto const whole = std::trunc(at + 1e-10);
+      auto const whole = std::trunc(at + std::copysign(1e-10, at));
       if (!(whole >= 0 && whole < array->sizes[d])) {
         in_.error("E0311",
                   fmt::format("subscript {} is outside array '{}': 0 .. {}", at, node.array.text,
@@ -145,7 +145,7 @@ bool Expressions::fill(ArrayValue& array, ast::Items const& items, std::size_t d
     } else if (ast::Items const* const row = reader.take_row()) {
       good = fill(array, *row, dimension + 1, next, place);
     } else {
-      reader.unexpected("a row of the array in braces");
+      reader.expected("a row of the array in braces");
       good = false;
     }
     ++count;

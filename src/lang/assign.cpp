@@ -124,7 +124,7 @@ Value ReaderImpl::value_of(ast::Items const& items, Span span) {
       return value;
     }
     if (auto const* binary = ast::get_if<ast::Binary>(*only)) {
-      if (auto scaled = in_.expressions.scaled_spectrum(*binary)) return *scaled;
+      if (auto scaled = in_.expressions.spectral_product(*binary)) return *scaled;
       Value value;
       Numeric n = in_.expressions(*binary);
       if (n.size == 5) n.colour = true;

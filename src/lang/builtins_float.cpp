@@ -111,8 +111,8 @@ std::span<Builtin const> float_builtins() {
       all.push_back({function.name, function.arguments == 1 ? "f" : "ff", false, plain});
     for (Builtin const& more : {
              Builtin{"div", "ff", false, divide},
-             Builtin{"min", "ff*", false, smallest},
-             Builtin{"max", "ff*", false, largest},
+             Builtin{"min", "f*", false, smallest},
+             Builtin{"max", "f*", false, largest},
              Builtin{"bitwise_and", "ff*", false, bit_and},
              Builtin{"bitwise_or", "ff*", false, bit_or},
              Builtin{"bitwise_xor", "ff*", false, bit_xor},

@@ -16,32 +16,52 @@ double f(Arguments a, std::size_t i) {
   return a[i].number.c[0];
 }
 
+/// More than any text of a scene, less than what a loop of concat() reaches in no time.
+constexpr std::size_t max_string = std::size_t{1} << 24;
+constexpr double max_columns = 1000;
+constexpr double max_digits = 300;
+
 /// printf's `%[width].[precision]f` with POV-Ray's meaning of negative numbers.
-std::string formatted(double value, double width, double precision) {
-  int const digits = precision < 0 ? 6 : static_cast<int>(std::min(precision, 300.0));
-  int const columns = static_cast<int>(std::min(std::abs(width), 1000.0));
+std::string formatted(CallContext& context, double value, double width, double precision) {
+  if (!(std::abs(width) <= max_columns && precision <= max_digits)) {
+    context.fail(fmt::format("at most {} columns and {} digits, not {} and {}", max_columns,
+                             max_digits, width, precision));
+    return {};
+  }
+  int const digits = precision < 0 ? 6 : static_cast<int>(precision);
+  int const columns = static_cast<int>(std::abs(width));
   return width < 0 ? fmt::format("{:0{}.{}f}", value, columns, digits)
                    : fmt::format("{:{}.{}f}", value, columns, digits);
 }
 
-std::string str(CallContext&, Arguments a) {
-  return formatted(f(a, 0), f(a, 1), f(a, 2));
+std::string str(CallContext& context, Arguments a) {
+  return formatted(context, f(a, 0), f(a, 1), f(a, 2));
 }
 
-std::string vstr(CallContext&, Arguments a) {
+std::string vstr(CallContext& context, Arguments a) {
+  if (std::isnan(f(a, 0))) {
+    context.fail("the number of components is not a number");
+    return {};
+  }
   auto const count = static_cast<std::size_t>(std::clamp(f(a, 0), 2.0, 5.0));
   Numeric const& value = a[1].number;
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     if (i) text += a[2].text;
-    text += formatted(i < value.size ? value.c[i] : 0, f(a, 3), f(a, 4));
+    text += formatted(context, i < value.size ? value.c[i] : 0, f(a, 3), f(a, 4));
   }
   return text;
 }
 
-std::string concat(CallContext&, Arguments a) {
+std::string concat(CallContext& context, Arguments a) {
   std::string text;
-  for (auto const& part : a) text += part.text;
+  for (auto const& part : a) {
+    if (part.text.size() > max_string - text.size()) {
+      context.fail(fmt::format("a string of more than {} characters", max_string));
+      return {};
+    }
+    text += part.text;
+  }
   return text;
 }
 
@@ -82,8 +102,9 @@ std::string datetime(CallContext& context, Arguments a) {
   double const seconds = std::floor((f(a, 0) + 10957) * 86400 + 0.5);
   std::string const format = a.size() > 1 ? a[1].text : "%Y-%m-%d %H:%M:%SZ";
   std::tm parts{};
-  auto const time = static_cast<std::time_t>(seconds);
-  if (!(std::abs(seconds) < 1e13) || !gmtime_r(&time, &parts)) {
+  bool const in_range = std::abs(seconds) < 1e13;
+  auto const time = in_range ? static_cast<std::time_t>(seconds) : 0;
+  if (!in_range || !gmtime_r(&time, &parts)) {
     context.fail("the date is out of range");
     return {};
   }

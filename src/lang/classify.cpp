@@ -116,7 +116,7 @@ void ReaderImpl::classify(ast::Expr const& expr) {
     return classify_owned(std::move(value), span);
   }
   if (auto const* binary = ast::get_if<ast::Binary>(expr)) {
-    if (auto scaled = in_.expressions.scaled_spectrum(*binary)) {
+    if (auto scaled = in_.expressions.spectral_product(*binary)) {
       peek_.expr = &expr;
       return classify_owned(std::move(*scaled), span);
     }

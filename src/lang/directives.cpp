@@ -82,6 +82,10 @@ void ReaderImpl::execute(ast::For const& node) {
     in_.error("E0320", "the step of #for is zero", ast::span_of(node.arguments.back()));
     return;
   }
+  if (std::isnan(first + last + step)) {
+    in_.error("E0320", "a bound or the step of #for is not a number", node.span);
+    return;
+  }
   Symbol const symbol = in_.scope.symbol(node.counter);
   Value& counter = in_.scope.declare_local(symbol);
   counter.any = scalar_of(first);

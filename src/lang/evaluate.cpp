@@ -92,10 +92,10 @@ Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   std::error_code failed;
-  bool const readable =
-      std::filesystem::is_regular_file(path, failed) && in && (text << in.rdbuf() || in.eof());
-  bool const empty = readable && std::filesystem::file_size(path, failed) == 0;
-  if (!readable && !empty) {
+  bool readable = std::filesystem::is_regular_file(path, failed) && in;
+  if (readable && in.peek() != std::ifstream::traits_type::eof()) // << fails when it moves nothing
+    readable = static_cast<bool>(text << in.rdbuf());
+  if (!readable) {
     Evaluated result;
     result.sources = std::make_unique<SourceSet>();
     result.unreadable = true;

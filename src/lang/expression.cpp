@@ -111,7 +111,7 @@ Value Expressions::value(ast::Expr const& expr) {
     return in_.reader.value_of(paren->items, paren->span);
   } else {
     if (auto const* binary_node = ast::get_if<ast::Binary>(expr))
-      if (auto scaled = scaled_spectrum(*binary_node)) return *scaled;
+      if (auto scaled = spectral_product(*binary_node)) return *scaled;
     v.any = numeric(expr);
   }
   return v;
@@ -194,7 +194,7 @@ Numeric Expressions::operator()(ast::Vector const& node) {
       if (reader.next() == Next::Numeric) {
         add(reader.numeric("a component", 1), span);
       } else {
-        reader.unexpected("a component of a vector");
+        reader.expected("a component of a vector");
         bad = true;
       }
     }

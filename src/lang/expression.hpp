@@ -66,8 +66,9 @@ public:
   Numeric operator()(ast::Function const&);
   Numeric operator()(ast::Block const&);
 
-  /// `S * f`, `f * S` where S is a spectrum or a colour with one; nullopt when neither operand is.
-  std::optional<Value> scaled_spectrum(ast::Binary const&);
+  /// `S * f`, `f * S` where S is a spectrum or a colour with one. nullopt, and nothing evaluated,
+  /// when neither operand can be one; the ordinary product when it turns out that neither is.
+  std::optional<Value> spectral_product(ast::Binary const&);
   /// The value as a number, reported when it is none.
   Numeric to_numeric(Value const&, Span);
   /// A call of anything but a macro, on evaluated arguments.

@@ -26,8 +26,8 @@ std::optional<std::string> read_whole(fs::path const& path) {
 /// Is `path` in `folder` or below, once all links and dots are resolved?
 bool below(fs::path const& path, fs::path const& folder) {
   std::error_code failed;
-  fs::path const whole = fs::weakly_canonical(path, failed);
-  fs::path const root = fs::weakly_canonical(folder, failed);
+  fs::path const whole = fs::weakly_canonical(fs::absolute(path), failed);
+  fs::path const root = fs::weakly_canonical(fs::absolute(folder), failed);
   if (failed) return false;
   auto const parts = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
   return parts.first == root.end()

@@ -43,32 +43,37 @@ double apply(Op op, double a, double b) {
   return 0;
 }
 
-/// A spectrum held by a name, or by a block `spectrum { ... }`.
-std::optional<scene::Colour> spectrum_of(ast::Expr const& expr, Interpreter& in) {
-  Value held;
+/// May the expression be a spectrum? Decided without evaluating it: yes for calls of macros.
+bool may_be_spectral(ast::Expr const& expr, Interpreter& in) {
   if (auto const* name = ast::get_if<ast::Name>(expr); name && !name->reserved) {
     Value const* const value = in.scope.find(in.scope.symbol(*name));
-    bool const may_be = value && !std::holds_alternative<Numeric>(value->any);
-    if (!may_be) return std::nullopt;
-    held = *value;
-  } else if (auto const* block = ast::get_if<ast::Block>(expr);
-             block && block->head.text == "spectrum") {
-    held = in.reader.block_value(*block);
-  } else if (auto const* binary = ast::get_if<ast::Binary>(expr)) {
-    if (auto value = in.expressions.scaled_spectrum(*binary)) held = std::move(*value);
-  } else if (auto const* paren = ast::get_if<ast::Paren>(expr)) {
+    return value
+           && (std::holds_alternative<scene::Colour>(value->any)
+               || std::holds_alternative<std::shared_ptr<optics::Spectrum const>>(value->any));
+  }
+  if (auto const* call = ast::get_if<ast::Call>(expr); call && !call->callee.reserved) {
+    Value const* const value = in.scope.find(in.scope.symbol(call->callee));
+    return value && std::holds_alternative<MacroValue>(value->any);
+  }
+  if (auto const* block = ast::get_if<ast::Block>(expr)) return block->head.text == "spectrum";
+  if (auto const* paren = ast::get_if<ast::Paren>(expr)) {
     ast::Expr const* const only = Expressions::sole(paren->items);
-    return only ? spectrum_of(*only, in) : std::nullopt;
+    return only && may_be_spectral(*only, in);
   }
-  if (auto const* colour = std::get_if<scene::Colour>(&held.any))
-    if (colour->spectrum) return *colour;
-  if (auto const* spectrum = std::get_if<std::shared_ptr<optics::Spectrum const>>(&held.any)) {
-    scene::Colour colour;
-    colour.rgb = Vec3(1);
-    colour.spectrum = *spectrum;
-    return colour;
-  }
-  return std::nullopt;
+  auto const* binary = ast::get_if<ast::Binary>(expr);
+  return binary && (binary->op == Op::Mul || binary->op == Op::Div)
+         && (may_be_spectral(binary->left, in) || may_be_spectral(binary->right, in));
+}
+
+/// The value as a colour with a spectrum, if it is one.
+std::optional<scene::Colour> spectral(Value const& value) {
+  if (auto const* colour = std::get_if<scene::Colour>(&value.any)) return *colour;
+  auto const* spectrum = std::get_if<std::shared_ptr<optics::Spectrum const>>(&value.any);
+  if (!spectrum) return std::nullopt;
+  scene::Colour colour;
+  colour.rgb = Vec3(1);
+  colour.spectrum = *spectrum;
+  return colour;
 }
 
 } // namespace
@@ -95,25 +100,30 @@ Numeric Expressions::binary(Op op, Numeric const& a, Numeric const& b, Span span
   return result;
 }
 
-std::optional<Value> Expressions::scaled_spectrum(ast::Binary const& node) {
-  if (node.op != Op::Mul && node.op != Op::Div) return std::nullopt;
-  auto const left = spectrum_of(node.left, in_);
-  auto const right = !left && node.op == Op::Mul ? spectrum_of(node.right, in_) : std::nullopt;
-  if (!left && !right) return std::nullopt;
-  scene::Colour colour = left ? *left : *right;
-  Numeric const n = numeric(left ? node.right : node.left);
-  Value value;
-  if (n.poisoned()) {
-    value.any = n;
-    return value;
+std::optional<Value> Expressions::spectral_product(ast::Binary const& node) {
+  bool const product = node.op == Op::Mul || node.op == Op::Div;
+  if (!product || !(may_be_spectral(node.left, in_) || may_be_spectral(node.right, in_)))
+    return std::nullopt;
+  Value const left = value(node.left);
+  Value const right = value(node.right);
+  auto colour = spectral(left);
+  bool const swapped = !colour && node.op == Op::Mul;
+  if (swapped) colour = spectral(right);
+  Value result;
+  if (!colour) {
+    result.any = binary(node.op, to_numeric(left, ast::span_of(node.left)),
+                        to_numeric(right, ast::span_of(node.right)), node.span);
+    return result;
   }
-  Numeric const factor = n.promoted(3);
-  if (node.op == Op::Mul)
-    colour.rgb *= factor.vec3();
-  else
-    colour.rgb /= factor.vec3();
-  value.any = colour;
-  return value;
+  Numeric const n = to_numeric(swapped ? left : right, node.span);
+  if (n.poisoned()) {
+    result.any = n;
+    return result;
+  }
+  Vec3 const factor = n.promoted(3).vec3();
+  colour->rgb = node.op == Op::Mul ? colour->rgb * factor : colour->rgb / factor;
+  result.any = *colour;
+  return result;
 }
 
 } // namespace abbe::lang

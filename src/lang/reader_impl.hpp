@@ -70,6 +70,8 @@ public:
   ast::Items const* take_row();
   /// The next item unevaluated, taken, when it is an expression or a block; else nullptr.
   ast::Expr const* take_expression();
+  /// Reports that something else is next than `what`, and skips that.
+  void expected(std::string_view what);
   /// A block where a value is wanted.
   Value block_value(ast::Block const&);
   /// A macro called where a value is wanted.
@@ -93,7 +95,8 @@ private:
     Symbol counter = 0;               ///< of a For
     double last = 0, step = 1;
     std::size_t clause = 0;
-    Span span; ///< the block, the call, the #include
+    bool tainted = false; ///< of a Block: holds a value that was wrong and is a stand-in
+    Span span;            ///< the block, the call, the #include
     std::string_view name;
     bool wall() const { return kind == Kind::Region || kind == Kind::Block; }
   };
@@ -116,7 +119,7 @@ private:
 
   bool take_punctuation(char symbol) override;
 
-  // reader_impl.cpp
+  // reader_frames.cpp, reader_values.cpp, reader_words.cpp
   void settle();
   bool end_of_frame();
   void pop();
@@ -177,6 +180,8 @@ private:
     std::string_view head;
   };
   bool in_open_block() const;
+  Frame const& innermost_block() const;
+  void taint();
 
   Interpreter& in_;
   std::vector<Frame> frames_;

@@ -37,7 +37,7 @@ TEST(Expression, VectorFunctions) {
   EXPECT_EQ(vector_of("vrotate(x,<90,90,0>)"), "0.000000,0.000000,-1.000000");
   EXPECT_EQ(vector_of("vrotate(x,90*z)"), "0.000000,1.000000,0.000000");
   EXPECT_EQ(vector_of("vaxis_rotate(x,y,90)"), "0.000000,0.000000,-1.000000");
-  EXPECT_EQ(vector_of("vaxis_rotate(<1,2,3>,<1,1,0>,33)"), "2.236019,0.763981,2.901129");
+  EXPECT_EQ(vector_of("vaxis_rotate(<1,2,3>,<1,1,0>,33)"), "2.236019,0.763981,2.901130");
   EXPECT_EQ(vector_of("vrotate(<1,2,3>,<10,20,30>)"), "1.067425,2.289059,2.760581");
   EXPECT_EQ(vector_of("vcross(x,y)"), "0.000000,0.000000,1.000000");
   EXPECT_EQ(vector_of("vturbulence(2,.5,6,<.3,.7,1.9>)"), "-0.316815,-0.473953,-0.150193");

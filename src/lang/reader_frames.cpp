@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// The reader's stack: what comes next, blocks opened and closed, the chain of calls.
+#include "lang/interpreter.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+namespace {
+
+Span end_of(Span span) {
+  if (span.end > span.begin) span.begin = span.end - 1;
+  return span;
+}
+
+} // namespace
+
+/// What to do with an item: carry it out (and look again), or present it (done).
+struct ItemVisitor {
+  ReaderImpl& reader;
+  bool done = false;
+
+  void operator()(ast::Expr const& expr) {
+    reader.classify(expr);
+    done = reader.peek_.ready;
+  }
+  void operator()(ast::Word const& word) {
+    reader.set(Next::Word, word.span);
+    reader.peek_.word = word.text;
+    done = true;
+  }
+  void operator()(ast::Bracket const& bracket) {
+    reader.set(Next::Bracket, bracket.span);
+    reader.peek_.bracket = &bracket;
+    done = true;
+  }
+  void operator()(ast::Punctuation const& mark) {
+    bool const closes = mark.symbol == '}' && reader.in_open_block();
+    reader.set(closes ? Next::End : Next::Punctuation, mark.span);
+    reader.peek_.symbol = mark.symbol;
+    done = true;
+  }
+  template <class Directive>
+  void operator()(Directive const& directive) {
+    ++reader.frames_.back().position;
+    reader.execute(directive);
+  }
+};
+
+void ReaderImpl::settle() {
+  ItemVisitor visitor{*this};
+  while (!visitor.done) {
+    Frame const& frame = frames_.back();
+    if (frame.position < frame.items->size())
+      ast::visit(visitor, (*frame.items)[frame.position]);
+    else
+      visitor.done = end_of_frame();
+  }
+}
+
+/// @return true when the end of the frame is what comes next (a wall)
+bool ReaderImpl::end_of_frame() {
+  Frame const& frame = frames_.back();
+  if (frame.wall()) {
+    set(Next::End, end_of(frame.span));
+    return true;
+  }
+  bool const loops = frame.kind == Frame::Kind::While || frame.kind == Frame::Kind::For
+                     || frame.kind == Frame::Kind::Switch;
+  if (!loops || !next_round(frame)) pop();
+  return false;
+}
+
+void ReaderImpl::push(Frame&& frame) {
+  frames_.push_back(std::move(frame));
+  peek_.ready = false;
+}
+
+void ReaderImpl::pop() {
+  auto const kind = frames_.back().kind;
+  if (kind == Frame::Kind::Macro) {
+    in_.scope.leave();
+    --macros_;
+  } else if (kind == Frame::Kind::Include) {
+    in_.scope.leave();
+    --includes_;
+  }
+  frames_.pop_back();
+  peek_.ready = false;
+}
+
+void ReaderImpl::set(Next next, Span span) {
+  peek_.ready = true;
+  peek_.next = next;
+  peek_.span = span;
+  peek_.undeclared = false;
+  peek_.value = nullptr;
+  peek_.split = nullptr;
+}
+
+void ReaderImpl::consume() {
+  if (!peek_.ready) settle();
+  if (peek_.next == Next::End) return;
+  Frame& frame = frames_.back();
+  if (peek_.split) {
+    if (++frame.part > peek_.split->arguments.size()) {
+      frame.part = 0;
+      ++frame.position;
+    }
+  } else {
+    ++frame.position;
+  }
+  peek_.ready = false;
+  asked_.clear();
+}
+
+void ReaderImpl::enter_region(ast::Items const& items, Span span) {
+  in_.check_limits(span);
+  Frame frame;
+  frame.items = &items;
+  frame.kind = Frame::Kind::Region;
+  frame.span = span;
+  push(std::move(frame));
+}
+
+void ReaderImpl::leave_region() {
+  if (next() != Next::End) expected("one value");
+  while (!frames_.back().wall()) pop();
+  pop();
+}
+
+void ReaderImpl::open_block(ast::Items const& items, Span span, std::string_view head) {
+  in_.check_limits(span);
+  Frame frame;
+  frame.items = &items;
+  frame.kind = Frame::Kind::Block;
+  frame.span = span;
+  frame.name = head;
+  asked_.clear();
+  push(std::move(frame));
+}
+
+bool ReaderImpl::open_any() {
+  if (next() != Next::Block) return false;
+  ast::Block const& block = *peek_.block;
+  Frame const& frame = frames_.back();
+  ast::Items const* tail = frame.position + 1 == frame.items->size() ? frame.tail : nullptr;
+  if (tail) frames_.back().tail = nullptr;
+  consume();
+  if (!tail && block.open) {
+    open_blocks_.push_back({frames_.size(), block.span, block.head.text});
+    Frame content;
+    content.items = &block.items;
+    push(std::move(content));
+    return true;
+  }
+  if (!tail) {
+    open_block(block.items, block.span, block.head.text);
+    return true;
+  }
+  // The block goes on with what follows #end: that lies beneath, so it is read afterwards.
+  open_block(*tail, block.span, block.head.text);
+  Frame head;
+  head.items = &block.items;
+  push(std::move(head));
+  return true;
+}
+
+bool ReaderImpl::open(std::string_view word) {
+  if (next() == Next::Block && peek_.block->head.text == word) return open_any();
+  ask(word);
+  return false;
+}
+
+ast::Items const* ReaderImpl::take_row() {
+  if (next() != Next::Block || !peek_.block->head.text.empty()) return nullptr;
+  ast::Items const* const items = &peek_.block->items;
+  consume();
+  return items;
+}
+
+ast::Expr const* ReaderImpl::take_expression() {
+  Next const kind = next();
+  bool const none = kind == Next::End || kind == Next::Bracket || kind == Next::Punctuation
+                    || (kind == Next::Word && !peek_.undeclared);
+  if (none) return nullptr;
+  ++frames_.back().position;
+  peek_.ready = false;
+  return peek_.expr;
+}
+
+bool ReaderImpl::open_bracket() {
+  if (next() != Next::Bracket) return false;
+  ast::Bracket const& bracket = *peek_.bracket;
+  consume();
+  open_block(bracket.items, bracket.span, "[ ]");
+  return true;
+}
+
+void ReaderImpl::close() {
+  if (next() != Next::End) {
+    std::string const head(in_open_block() ? open_blocks_.back().head : innermost_block().name);
+    unexpected(head == "[ ]"  ? "an entry in [ ]"
+               : head.empty() ? "{ }"
+                              : fmt::format("this '{}'", head));
+    while (next() != Next::End) skip();
+  }
+  asked_.clear();
+  if (in_open_block()) {
+    // At its '}', unless the surrounding block ended first: the grammar has reported that.
+    Frame& frame = frames_.back();
+    if (frame.position < frame.items->size()) ++frame.position;
+    peek_.ready = false;
+    open_blocks_.pop_back();
+    return;
+  }
+  while (!frames_.back().wall()) pop();
+  pop();
+}
+
+bool ReaderImpl::in_open_block() const {
+  if (open_blocks_.empty()) return false;
+  for (std::size_t i = frames_.size(); i-- > open_blocks_.back().frame;)
+    if (frames_[i].wall()) return false;
+  return true;
+}
+
+Span ReaderImpl::block_span() {
+  if (in_open_block()) return open_blocks_.back().span;
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->kind == Frame::Kind::Block) return frame->span;
+  return {};
+}
+
+ReaderImpl::Frame const& ReaderImpl::innermost_block() const {
+  std::size_t i = frames_.size() - 1;
+  while (i > 0 && !frames_[i].wall()) --i;
+  return frames_[i];
+}
+
+Span ReaderImpl::next_span() {
+  next();
+  return peek_.span;
+}
+
+SourceFile const* ReaderImpl::current_source() const {
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (!frame->items->empty()) return ast::span_of(frame->items->front()).source;
+  return nullptr;
+}
+
+std::vector<Diagnostic::Note> ReaderImpl::chain() const {
+  std::vector<Diagnostic::Note> notes;
+  std::size_t count = 0;
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+    bool const call = frame->kind == Frame::Kind::Macro;
+    if (!call && frame->kind != Frame::Kind::Include) continue;
+    if (++count > 5) continue;
+    notes.push_back({frame->span, call ? fmt::format("called from here: '{}'", frame->name)
+                                       : "included from here"});
+  }
+  if (count > 5) notes.push_back({{}, fmt::format("... and {} more", count - 5)});
+  return notes;
+}
+
+} // namespace abbe::lang

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The reader's words, and what to say when they are wrong.
+#include "lang/interpreter.hpp"
+
+#include <fmt/format.h>
+
+namespace abbe::lang {
+
+std::string_view ReaderImpl::next_word() {
+  switch (next()) {
+  case Next::Word:
+    return peek_.word;
+  case Next::Block:
+    return peek_.block->head.text;
+  default:
+    return {};
+  }
+}
+
+bool ReaderImpl::accept(std::string_view word) {
+  next();
+  std::string_view found;
+  if (peek_.next == Next::Word) {
+    found = peek_.word;
+  } else if ((peek_.next == Next::Numeric || peek_.next == Next::Identifier
+              || peek_.next == Next::String)
+             && peek_.expr && !peek_.split) {
+    // A word of abbe's is no reserved one: the user may have declared it. Who asks for it, gets it.
+    if (auto const* name = ast::get_if<ast::Name>(*peek_.expr)) found = name->text;
+  }
+  if (found == word) {
+    consume();
+    return true;
+  }
+  ask(word);
+  return false;
+}
+
+std::optional<bool> ReaderImpl::flag(std::string_view word) {
+  if (!accept(word)) return std::nullopt;
+  return boolean_or(true);
+}
+
+bool ReaderImpl::take_punctuation(char symbol) {
+  if (next() != Next::Punctuation || peek_.symbol != symbol) return false;
+  consume();
+  return true;
+}
+
+int ReaderImpl::face_texture() {
+  if (next() != Next::Block || peek_.block->head.text != "texture") {
+    ask("texture");
+    return -1;
+  }
+  open_any();
+  Value const* const value = identifier();
+  auto const* held =
+      value ? std::get_if<std::shared_ptr<scene::Layers const>>(&value->any) : nullptr;
+  void const* const key = held ? held->get() : nullptr;
+  scene::Layers layers;
+  read_texture(*this, layers);
+  // Only a block that is the bare name stands for the declared texture itself.
+  Frame const& frame = frames_.back();
+  bool const bare = key && frame.kind == Frame::Kind::Block && frame.items->size() == 1;
+  close();
+  if (bare) {
+    auto const found = face_texture_index_.find(key);
+    if (found != face_texture_index_.end()) return found->second;
+    face_texture_index_[key] = static_cast<int>(face_textures_.size());
+  }
+  face_textures_.push_back(std::move(layers));
+  return static_cast<int>(face_textures_.size()) - 1;
+}
+
+std::vector<scene::Layers> ReaderImpl::take_face_textures() {
+  face_texture_index_.clear();
+  return std::exchange(face_textures_, {});
+}
+
+// ------------------------------------------------------------------------------------- errors
+
+void ReaderImpl::report(Severity severity, std::string_view code, std::string_view message,
+                        Span span) {
+  // Values, optics, geometry: of a block with a stand-in for a wrong value, nothing more is said.
+  bool const about_values =
+      code.substr(0, 3) == "E03" || code.substr(0, 3) == "E04" || code.substr(0, 3) == "E06";
+  if (about_values)
+    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+      if (frame->kind != Frame::Kind::Block) continue;
+      if (frame->tainted) return;
+      break;
+    }
+  in_.report(severity, code, std::string(message), span.valid() ? span : block_span());
+}
+
+void ReaderImpl::unexpected(std::string_view where) {
+  Span span = next_span();
+  bool const name = peek_.next == Next::Word && peek_.undeclared;
+  bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
+  std::string_view const word = next_word();
+  std::string hint = word.empty() ? std::string() : did_you_mean(word, asked_);
+  if (name || (block && !find_block_kind(word))) {
+    if (hint.empty()) hint = in_.suggestion(word);
+    if (block && peek_.block->head.span.valid()) span = peek_.block->head.span;
+    in_.error("E0202",
+              fmt::format("unknown {} '{}' in {}{}", name ? "name" : "block", word, where, hint),
+              span);
+  } else {
+    in_.error("E0203", fmt::format("{} does not belong in {}{}", describe_next(), where, hint),
+              span);
+  }
+  skip();
+}
+
+void ReaderImpl::expected(std::string_view what) {
+  in_.error("E0203", fmt::format("expected {}, found {}", what, describe_next()), next_span());
+  skip();
+}
+
+void ReaderImpl::skip() {
+  bool const word = next() == Next::Word;
+  consume();
+  if (!word) return;
+  for (;;) {
+    Next const n = next();
+    bool const belongs = n == Next::Numeric || n == Next::String || n == Next::Bracket
+                         || (n == Next::Block && peek_.block->head.text.empty());
+    if (!belongs) return;
+    consume();
+  }
+}
+
+} // namespace abbe::lang
