@@ -4,7 +4,7 @@
 #include "grammar/parse.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ std::vector<fs::path> corpus() {
   // Debian's examples directory links to /usr/share/povray-3.7/scenes.
   for (char const* root : {"/usr/share/povray-3.7", "/usr/share/povray"}) {
     if (!fs::exists(root)) continue;
-    for (auto const& entry : fs::recursive_directory_iterator(root))
+    for (auto const& entry :
+         fs::recursive_directory_iterator(root, fs::directory_options::follow_directory_symlink))
       if (entry.is_regular_file()
           && (entry.path().extension() == ".pov" || entry.path().extension() == ".inc"))
         files.push_back(entry.path());
@@ -51,6 +52,9 @@ void check(std::string text) {
 TEST(Corpus, AllButTheTemplateParse) {
   auto const files = corpus();
   if (files.empty()) GTEST_SKIP() << "povray-examples and povray-includes are not installed";
+  // Debian 12: 396 scenes in povray-examples and 81 includes. Only the includes: still worth a
+  // test.
+  std::printf("[ corpus   ] %zu files\n", files.size());
   for (auto const& file : files) {
     SourceFile const source(file.string(), read(file));
     Parsed const parsed = parse(source);
