@@ -145,7 +145,7 @@ bool Expressions::fill(ArrayValue& array, ast::Items const& items, std::size_t d
     } else if (ast::Items const* const row = reader.take_row()) {
       good = fill(array, *row, dimension + 1, next, place);
     } else {
-      reader.expected("a row of the array in braces");
+      reader.unexpected("a row of the array in braces");
       good = false;
     }
     ++count;

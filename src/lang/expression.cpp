@@ -194,7 +194,7 @@ Numeric Expressions::operator()(ast::Vector const& node) {
       if (reader.next() == Next::Numeric) {
         add(reader.numeric("a component", 1), span);
       } else {
-        reader.expected("a component of a vector");
+        reader.unexpected("a component of a vector");
         bad = true;
       }
     }

@@ -73,9 +73,10 @@ public:
     return copy;
   }
   bool accept_punctuation(char symbol) { return take_punctuation(symbol); }
-  /// Reports the next item as unknown or misplaced in this block ("unknown item 'shpere' in sphere;
-  /// did you mean ...") and skips it with what belongs to it.
-  virtual void unexpected(std::string_view where) = 0;
+  /// Reports that the next item is not `what` ("a sphere modifier"): "expected a finish item, found
+  /// 'scale'", or "unknown name 'shpere': expected an object; did you mean 'sphere'?". Skips it
+  /// with what belongs to it.
+  virtual void unexpected(std::string_view what) = 0;
   /// Skips the next item with what belongs to it (a block whole, a word with the values and strings
   /// after it), without evaluating anything: for things already reported.
   virtual void skip() = 0;

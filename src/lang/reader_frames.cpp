@@ -123,7 +123,7 @@ void ReaderImpl::enter_region(ast::Items const& items, Span span) {
 }
 
 void ReaderImpl::leave_region() {
-  if (next() != Next::End) expected("one value");
+  if (next() != Next::End) unexpected("one value");
   while (!frames_.back().wall()) pop();
   pop();
 }
@@ -198,10 +198,11 @@ bool ReaderImpl::open_bracket() {
 
 void ReaderImpl::close() {
   if (next() != Next::End) {
-    std::string const head(in_open_block() ? open_blocks_.back().head : innermost_block().name);
-    unexpected(head == "[ ]"  ? "an entry in [ ]"
-               : head.empty() ? "{ }"
-                              : fmt::format("this '{}'", head));
+    std::string_view const head =
+        in_open_block() ? open_blocks_.back().head : innermost_block().name;
+    unexpected(head.empty()    ? "'}'"
+               : head == "[ ]" ? "']'"
+                               : fmt::format("the end of this '{}'", head));
     while (next() != Next::End) skip();
   }
   asked_.clear();

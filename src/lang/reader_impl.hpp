@@ -51,7 +51,7 @@ public:
   bool boolean_or(bool absent) override;
   Value const* identifier() override;
   void take() override { consume(); }
-  void unexpected(std::string_view where) override;
+  void unexpected(std::string_view what) override;
   void skip() override;
   std::vector<scene::Layers> take_face_textures() override;
   Span block_span() override;
@@ -70,8 +70,6 @@ public:
   ast::Items const* take_row();
   /// The next item unevaluated, taken, when it is an expression or a block; else nullptr.
   ast::Expr const* take_expression();
-  /// Reports that something else is next than `what`, and skips that.
-  void expected(std::string_view what);
   /// A block where a value is wanted.
   Value block_value(ast::Block const&);
   /// A macro called where a value is wanted.

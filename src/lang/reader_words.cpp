@@ -93,7 +93,7 @@ void ReaderImpl::report(Severity severity, std::string_view code, std::string_vi
   in_.report(severity, code, std::string(message), span.valid() ? span : block_span());
 }
 
-void ReaderImpl::unexpected(std::string_view where) {
+void ReaderImpl::unexpected(std::string_view what) {
   Span span = next_span();
   bool const name = peek_.next == Next::Word && peek_.undeclared;
   bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
@@ -102,18 +102,13 @@ void ReaderImpl::unexpected(std::string_view where) {
   if (name || (block && !find_block_kind(word))) {
     if (hint.empty()) hint = in_.suggestion(word);
     if (block && peek_.block->head.span.valid()) span = peek_.block->head.span;
-    in_.error("E0202",
-              fmt::format("unknown {} '{}' in {}{}", name ? "name" : "block", word, where, hint),
-              span);
+    in_.error(
+        "E0202",
+        fmt::format("unknown {} '{}': expected {}{}", name ? "name" : "block", word, what, hint),
+        span);
   } else {
-    in_.error("E0203", fmt::format("{} does not belong in {}{}", describe_next(), where, hint),
-              span);
+    in_.error("E0203", fmt::format("expected {}, found {}{}", what, describe_next(), hint), span);
   }
-  skip();
-}
-
-void ReaderImpl::expected(std::string_view what) {
-  in_.error("E0203", fmt::format("expected {}, found {}", what, describe_next()), next_span());
   skip();
 }
 

@@ -128,7 +128,7 @@ std::shared_ptr<SplineValue> read_spline(Reader& in) {
   if (auto const kind = accept_kind(in)) spline->kind = *kind;
   while (!in.at_end()) {
     if (!in.has_value()) {
-      in.unexpected("a spline");
+      in.unexpected("a key and a point of the spline");
       continue;
     }
     double const key = in.number("a key of the spline");
@@ -163,7 +163,7 @@ Numeric call_spline(SplineValue const& spline, ast::Call const& node, Interprete
     if (auto const other = accept_kind(reader))
       kind = *other;
     else
-      reader.expected("a type of spline");
+      reader.unexpected("a type of spline");
     reader.leave_region();
   }
   return spline.at(key, kind);

@@ -117,7 +117,7 @@ void ReaderImpl::open_file(ast::Directive const& node) {
     if (accept("read")) return in_.files.open_read(file, from);
     if (accept("write")) return in_.files.open_write(file, false, node.span);
     if (accept("append")) return in_.files.open_write(file, true, node.span);
-    expected("read, write or append");
+    unexpected("read, write or append");
     return std::shared_ptr<FileValue>();
   }();
   leave_region();
@@ -214,7 +214,7 @@ void ReaderImpl::write_file(ast::Directive const& node) {
       }
       [[fallthrough]];
     default:
-      expected("a number or a string to write");
+      unexpected("a number or a string to write");
     }
   }
   leave_region();
