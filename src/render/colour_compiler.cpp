@@ -11,8 +11,9 @@ bool is_black(Channels const& channels) {
   return std::all_of(channels.begin(), channels.end(), [](double v) { return v == 0; });
 }
 
-Channels ColourCompiler::uplifted(Vec3 const& rgb) {
-  if (!bands_) return {rgb.x, rgb.y, rgb.z};
+Channels ColourCompiler::uplifted(Vec3 const& written) {
+  if (!bands_) return {written.x, written.y, written.z};
+  Vec3 const rgb = space_.to_linear(written);
   if (rgb.x == rgb.y && rgb.y == rgb.z)
     return Channels(static_cast<std::size_t>(bands_->count()), rgb.x);
   auto const [place, fresh] = known_.try_emplace({rgb.x, rgb.y, rgb.z});

@@ -3,6 +3,7 @@
 
 #include "optics/bands.hpp"
 #include "render/stage.hpp"
+#include "render/working_space.hpp"
 
 #include <map>
 #include <optional>
@@ -13,7 +14,8 @@ namespace abbe::render {
 /// Colours of the scene as channel values: bands (rgb uplifted to smooth spectra) or r g b.
 class ColourCompiler {
 public:
-  explicit ColourCompiler(std::optional<optics::Bands> const& bands) : bands_(bands) {}
+  ColourCompiler(std::optional<optics::Bands> const& bands, WorkingSpace const& space)
+      : bands_(bands), space_(space) {}
 
   std::optional<optics::Bands> const& bands() const { return bands_; }
   int channels() const { return bands_ ? bands_->count() : 3; }
@@ -28,6 +30,7 @@ private:
   Channels spectral(scene::Colour const& colour, Channels values);
 
   std::optional<optics::Bands> bands_;
+  WorkingSpace space_;
   std::map<std::tuple<double, double, double>, Channels> known_;
 };
 

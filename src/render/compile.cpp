@@ -47,7 +47,7 @@ void compile_sky(scene::Scene const& scene, PigmentCompiler& pigments, ColourCom
 Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   Stage stage;
   stage.bands = plan.bands;
-  ColourCompiler colours(plan.bands);
+  ColourCompiler colours(plan.bands, WorkingSpace(scene.settings));
   stage.channels = colours.channels();
   if (stage.bands) {
     auto const weights = stage.bands->rgb_weights();

@@ -4,12 +4,17 @@
 #include "base/vec.hpp"
 #include "optics/fresnel.hpp"
 
+#include <cstddef>
+
 namespace abbe::render {
 
 /// What an interface does to the lanes of a beam that meets it. Arrays are per lane, in the arena.
 struct LaneInterface {
   Vec3 normal{0};    ///< unit shading normal on the side the ray comes from
   Vec3 geometric{0}; ///< the true one, same side
+  /// The crossing (of the hit's) whose surface this is: the first entered, else the first left.
+  /// Where others coincide with it, it alone reflects by Fresnel: there is one interface.
+  std::size_t carrier = 0;
   double cos_i = 1;
   int before = 0; ///< media
   int after = 0;

@@ -2,6 +2,7 @@
 #include "render/render.hpp"
 
 #include "render/pixel_sampler.hpp"
+#include "render/working_space.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -18,9 +19,11 @@ namespace {
 /// tile.
 class Frame {
 public:
-  Frame(Stage const& stage, RenderOptions const& options)
+  /// @param space of the channels when they are r g b
+  Frame(Stage const& stage, RenderOptions const& options, WorkingSpace const& space)
       : stage_(stage),
         options_(options),
+        space_(space),
         region_(options.region.value_or(Region{0, 0, options.width, options.height})),
         tracers_([&stage] { return Tracer(stage); }) {
     result_.image = image::make_image(region_.x1 - region_.x0, region_.y1 - region_.y0);
@@ -51,6 +54,8 @@ public:
     }
     for (auto const& tracer : tracers_) result_.counts.add(tracer.counts());
     result_.interrupted = stopped();
+    if (!stage_.bands && !space_.is_linear())
+      for (auto& value : result_.image.rgb) value = static_cast<float>(space_.to_linear(value));
     return std::move(result_);
   }
 
@@ -64,8 +69,8 @@ private:
 
   void put(int x, int y, Sampled const& sampled) {
     auto const at = index(x, y);
-    for (std::size_t c = 0; c < 3; ++c)
-      result_.image.rgb[3 * at + c] = static_cast<float>(sampled.rgb[static_cast<int>(c)]);
+    for (int c = 0; c < 3; ++c)
+      result_.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
     for (std::size_t c = 0; c < sampled.bands.size(); ++c)
       result_.image.bands[at * sampled.bands.size() + c] =
           static_cast<float>(sampled.bands[c] * stage_.bands->d65_radiance(static_cast<int>(c)));
@@ -135,6 +140,7 @@ private:
 
   Stage const& stage_;
   RenderOptions const& options_;
+  WorkingSpace space_;
   Region region_;
   RenderResult result_;
   tbb::enumerable_thread_specific<Tracer> tracers_;
@@ -149,7 +155,7 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
   ABBE_ASSERT(options.width > 0 && options.height > 0);
   ABBE_ASSERT(!options.spectral_output || plan.bands);
   Stage const stage = compile(scene, plan);
-  return Frame(stage, options).run();
+  return Frame(stage, options, WorkingSpace(scene.settings)).run();
 }
 
 } // namespace abbe::render

@@ -71,7 +71,8 @@ void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurfac
   if (!crossing.entering && !surface.interior_layers.empty()) layers = &surface.interior_layers;
   for (auto layer = layers->rbegin(); layer != layers->rend(); ++layer) {
     Arena::Scope const scope(tracer_.arena_);
-    shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], surface.double_illuminate, out);
+    shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], surface.double_illuminate,
+                &crossing == &frame_.hit.crossings[face_.carrier], out);
     if (largest(out.passed, beam_.lanes) <= stage_.adc_bailout) {
       bool const gone = largest(out.passed, beam_.lanes) == 0;
       if (gone || stage_.adc_bailout > 0) break;
@@ -79,7 +80,8 @@ void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurfac
   }
 }
 
-void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, LaneSurface& out) {
+void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
+                         LaneSurface& out) {
   CompiledFinish const& finish = layer.finish;
   Vec3 const point = layer.to_texture_linear * frame_.hit.point + layer.to_texture_offset;
   PigmentValue const pigment =
@@ -93,13 +95,13 @@ void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, Lan
   double* mirror = nullptr;
   if (finish.reflection) {
     mirror = tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
-    reflectivity(*finish.reflection, pigment.colour, mirror);
+    reflectivity(*finish.reflection, pigment.colour, carries, mirror);
     for (int k = 0; k < beam_.lanes; ++k) {
       out.mirrored[k] += mirror[k];
       out.mirrors = out.mirrors || mirror[k] != 0;
     }
-    out.exponent = finish.reflection->exponent;
-    out.explicit_reflection = true;
+    if (carries || out.exponent == 1) out.exponent = finish.reflection->exponent;
+    out.explicit_reflection = out.explicit_reflection || carries;
   }
   for (int k = 0; k < beam_.lanes; ++k) {
     out.passed[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
@@ -197,7 +199,7 @@ void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
   }
 }
 
-void Shader::reflectivity(CompiledReflection const& reflection, double const* pigment,
+void Shader::reflectivity(CompiledReflection const& reflection, double const* pigment, bool carries,
                           double* out) {
   double const cosine = face_.cos_i;
   double const weight =
@@ -206,7 +208,7 @@ void Shader::reflectivity(CompiledReflection const& reflection, double const* pi
       reflection.metallic != 0 ? reflection.metallic * (1 - metallic_falloff(cosine)) : 0;
   for (int k = 0; k < beam_.lanes; ++k) {
     auto const c = beam_.channel[k];
-    double const f = reflection.fresnel        ? face_.reflectance[k]
+    double const f = reflection.fresnel        ? (carries ? face_.reflectance[k] : 0)
                      : reflection.falloff == 0 ? 1
                                                : weight;
     if (!reflection.metal_n.empty()) {

@@ -19,14 +19,16 @@ public:
 private:
   struct Lit; // light arriving from one lamp
   void shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out);
-  void shade_layer(CompiledLayer const& layer, bool double_illuminate, LaneSurface& out);
+  void shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
+                   LaneSurface& out);
   void add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
                 double const* passed);
   void add_lights(CompiledFinish const& finish, double const* pigment, double opaque,
                   bool double_illuminate, double const* passed);
   void add_light(CompiledLight const& light, CompiledFinish const& finish, double const* pigment,
                  double opaque, bool double_illuminate, double const* passed);
-  void reflectivity(CompiledReflection const& reflection, double const* pigment, double* out);
+  void reflectivity(CompiledReflection const& reflection, double const* pigment, bool carries,
+                    double* out);
   /// Light left after the way to a lamp; false when there is none. `left` is per lane.
   bool visible(Vec3 const& to_light, double distance, double* left);
   void filter_shadow(Vec3 const& to_light, double distance, double* left);

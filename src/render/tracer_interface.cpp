@@ -33,6 +33,7 @@ void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face)
   auto chosen = std::find_if(crossings.begin(), crossings.end(),
                              [](auto const& crossing) { return crossing.entering; });
   if (chosen == crossings.end()) chosen = crossings.begin();
+  face.carrier = static_cast<std::size_t>(chosen - crossings.begin());
   face.geometric = stage_.world->geometric_normal(chosen->primitive, chosen->face, frame.hit.point);
   face.normal = stage_.world->normal(chosen->primitive, chosen->face, frame.hit.point);
   Vec3 const& d = ray.line.direction;
@@ -154,7 +155,7 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
       weight = any_above(surface.passed, beam.lanes, 0) ? 1 : weight;
       captures = false;
     } else if (unasked) {
-      weight = surface.passed[k] > 0 ? face.reflectance[k] : 0;
+      weight += surface.passed[k] > 0 ? face.reflectance[k] : 0;
     }
     mirrored.throughput[k] = beam.throughput[k] * weight;
   }

@@ -106,7 +106,8 @@ std::span<Vec3 const> WaveTables::rgb_weights(int wave) {
       sum += xyz;
     }
     Vec3 scale;
-    // A component that the whole comb misses (one band in the far red has no Z) is taken from the bands.
+    // A component that the whole comb misses (one band in the far red has no Z) is taken from the
+    // bands.
     for (int c = 0; c < 3; ++c) {
       scale[c] = sum[c] > 0 ? optics::srgb_white_xyz[c] / sum[c] : 1;
       for (int i = 0; sum[c] == 0 && i < stage_.channels; ++i)

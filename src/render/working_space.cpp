@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "render/working_space.hpp"
+
+#include "image/colour.hpp"
+
+#include <cmath>
+
+namespace abbe::render {
+
+WorkingSpace::WorkingSpace(scene::Settings const& settings) {
+  bool const display_values = !settings.assumed_gamma && settings.version < 3.7;
+  if (settings.assumed_gamma_srgb || display_values) {
+    kind_ = Kind::Srgb;
+  } else if (settings.assumed_gamma.value_or(1) != 1) {
+    kind_ = Kind::Power;
+    gamma_ = *settings.assumed_gamma;
+  }
+}
+
+double WorkingSpace::to_linear(double value) const {
+  double const size = std::abs(value);
+  switch (kind_) {
+  case Kind::Linear:
+    return value;
+  case Kind::Power:
+    return std::copysign(std::pow(size, gamma_), value);
+  case Kind::Srgb:
+    return std::copysign(image::srgb_decode(size), value);
+  }
+  return value;
+}
+
+} // namespace abbe::render
