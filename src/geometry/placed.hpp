@@ -23,12 +23,14 @@ public:
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
+  /// Bounds of |inverse_linear|, entry by entry, as described.
+  Mat3 const& inverse_size() const { return size_; }
   /// Bounds in world space, wide enough for the errors of to_object.
   Bounds bounds() const;
 
 private:
   PlacedShape source_;
-  Mat3 size_; ///< bounds of |inverse_linear| as described
+  Mat3 size_;
 };
 
 } // namespace abbe::geometry

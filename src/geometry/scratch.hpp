@@ -31,8 +31,19 @@ struct Candidate {
   std::uint32_t members = 0;
 };
 
+/// What HalfSpaces computes of a line, plane by plane (filled up to whole lanes).
+struct HalfSpaceScratch {
+  std::vector<double> height, speed; ///< t = -height / speed
+  std::vector<double> out;           ///< t where the line leaves, after the start; else infinity
+  std::vector<double> minus_in;      ///< -t where the line enters, after the start; else infinity
+  void resize(std::size_t size) {
+    for (std::vector<double>* const v : {&height, &speed, &out, &minus_in}) v->resize(size);
+  }
+};
+
 class Scratch {
 public:
+  HalfSpaceScratch half_spaces;
   Crossings crossings;
   std::vector<Event> events;
   std::vector<Candidate> candidates;

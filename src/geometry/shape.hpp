@@ -89,6 +89,8 @@ public:
   }
   /// The shape's own surface coordinates at a point, where it has them.
   virtual std::optional<Vec2> uv(Vec3 const&, std::uint32_t) const { return std::nullopt; }
+  /// A line is inside along one interval or not at all, and crossings() gives its (finite) ends.
+  virtual bool one_interval() const { return false; }
 };
 using ShapePtr = std::shared_ptr<Shape const>;
 

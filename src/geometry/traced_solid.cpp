@@ -8,7 +8,6 @@ namespace abbe::geometry {
 
 namespace {
 
-constexpr double everywhere = std::numeric_limits<double>::infinity();
 /// Operands from which on a hierarchy pays.
 constexpr std::size_t many_operands = 8;
 
@@ -59,6 +58,7 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
     return;
   }
   program_ = std::make_unique<CsgProgram const>(source.tree);
+  cut_ = ConvexCut::of(source.tree, *program_, primitives);
   auto const& operands = program_->operands();
   bool const many = operands.size() > many_operands;
   std::vector<Bounds> boxes;
@@ -72,32 +72,6 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
     }
   }
   operand_bvh_ = Bvh(boxes);
-}
-
-void TracedSolid::gather(Query const& query, PrimitiveId primitive, std::uint32_t operand,
-                         bool hidden) const {
-  Placed const& placed = query.primitives[primitive];
-  Crossings& crossings = query.scratch.crossings;
-  crossings.clear();
-  Start start;
-  bool starts = false;
-  if (query.from != nullptr) {
-    // Members are in the order of the arriving ray: what goes through leaves from the last face of
-    // the primitive, what comes back from the first.
-    for (Departure::On const& on : query.from->on) {
-      if (on.primitive != primitive) continue;
-      if (starts && !query.from->through) break;
-      start = {on.face, on.was_entering == query.from->through};
-      starts = true;
-    }
-  }
-  placed.shape().crossings(placed.to_object(query.ray), starts ? &start : nullptr, crossings);
-  for (Crossing const& c : crossings) {
-    bool const at_start =
-        starts ? c.t == 0 : (query.from != nullptr && std::fabs(c.t) <= c.error + c.slack);
-    query.scratch.events.push_back({c.t, c.error, c.slack, primitive, operand, c.face, c.entering,
-                                    c.toggles, c.visible && !hidden, at_start});
-  }
 }
 
 void TracedSolid::gather_operands(Query const& query) const {
@@ -126,6 +100,34 @@ void TracedSolid::gather_operands(Query const& query) const {
          take(finite_[item]);
          return true;
        });
+}
+
+/// Applies what is up to the start, and puts it in front. @return the first event after it
+std::size_t TracedSolid::pass_start(Query const& query) const {
+  auto& events = query.scratch.events;
+  auto const apply = [&](Event const& event) {
+    if (event.toggles) program_->set(*query.state, event.operand, event.entering);
+  };
+  std::size_t next = 0;
+  std::size_t last_at_start = 0; // one beyond
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (events[i].at_start) last_at_start = i + 1;
+  }
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    // Up to the start, and what one operand crosses before something of its own at the start.
+    bool before = events[i].at_start || !(events[i].t > 0);
+    if (!before && i >= last_at_start) break;
+    for (std::size_t j = i + 1; !before && j < last_at_start; ++j) {
+      before = events[j].at_start && events[j].operand == events[i].operand;
+    }
+    if (!before) continue;
+    apply(events[i]);
+    std::rotate(events.begin() + static_cast<std::ptrdiff_t>(next),
+                events.begin() + static_cast<std::ptrdiff_t>(i),
+                events.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    ++next;
+  }
+  return next;
 }
 
 bool TracedSolid::patch_in_group(Query const& query, std::size_t first, std::size_t last,

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "geometry/bvh.hpp"
-#include "geometry/csg.hpp"
-#include "geometry/placed.hpp"
-#include "geometry/scratch.hpp"
+#include "geometry/convex_cut.hpp"
+#include "geometry/line_query.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -32,6 +31,8 @@
 ///    the primitives, not of the order of operands.
 namespace abbe::geometry {
 
+inline constexpr double everywhere = std::numeric_limits<double>::infinity();
+
 class TracedSolid {
 public:
   TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives, SolidId id);
@@ -50,25 +51,23 @@ public:
     bool inside = false; ///< of the solid, after it
     std::size_t first = 0, last = 0;
   };
-  struct Query {
-    std::vector<Placed> const& primitives;
-    Ray const& ray;
-    Departure const* from;
-    Scratch& scratch;
-    CsgProgram::State* state; ///< of this solid's program; left as found
-  };
+  using Query = LineQuery;
   /// Calls take(passage) for all passages with t > 0 beyond the departure, or, when `all`, for all
-  /// of the line; take returns false to stop. @return inside at the end of what was left out
+  /// of the line; take returns false to stop. @return when `all`: inside at the line's beginning
   template <class Take>
   bool passages(Query const& query, bool all, Take&& take) const;
 
 private:
-  void gather(Query const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden) const;
   template <class Take>
   bool single(Query const& query, bool all, Take& take) const;
+  /// The short way of ConvexCut. @return how many passages were taken, or `all_taken`
+  template <class Take>
+  std::size_t convex(Query const& query, Take& take) const;
+  static constexpr std::size_t all_taken = static_cast<std::size_t>(-1);
   template <class Take>
   bool boolean(Query const& query, bool all, Take& take) const;
   void gather_operands(Query const& query) const;
+  std::size_t pass_start(Query const& query) const;
   bool apply_group(Query const& query, std::size_t first, std::size_t last, Passage& passage) const;
   bool patch_in_group(Query const& query, std::size_t first, std::size_t last,
                       Passage& passage) const;
@@ -79,6 +78,7 @@ private:
   PrimitiveId only_ = 0; ///< without a program: the one primitive
   bool inverse_ = false;
   std::unique_ptr<CsgProgram const> program_;
+  std::unique_ptr<ConvexCut const> cut_; ///< when the tree is of its kind
   Bounds bounds_;
   Bvh operand_bvh_;                   ///< over finite operands when there are many
   std::vector<std::uint32_t> finite_; ///< item of operand_bvh_ -> operand
@@ -92,7 +92,42 @@ Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives);
 template <class Take>
 bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
   query.scratch.events.clear();
-  return program_ ? boolean(query, all, take) : single(query, all, take);
+  if (!program_) return single(query, all, take);
+  if (all || !cut_) return boolean(query, all, take);
+  std::size_t taken = convex(query, take);
+  if (taken == all_taken) return false;
+  // What the short way could not tell, the general way does from the start.
+  query.scratch.events.clear();
+  auto rest = [&](Passage const& passage) { return taken > 0 ? (--taken, true) : take(passage); };
+  return boolean(query, all, rest);
+}
+
+template <class Take>
+std::size_t TracedSolid::convex(Query const& query, Take& take) const {
+  ConvexCut::Part part;
+  ConvexCut::Verdict const verdict = cut_->find(query, part);
+  if (verdict == ConvexCut::Verdict::Nothing) return all_taken;
+  if (verdict == ConvexCut::Verdict::Unclear) return 0;
+  auto const pass = [&](std::size_t place, bool inside) {
+    Event const& event = query.scratch.events[place];
+    return take(Passage{{id_, event.primitive, event.face, event.t, inside, true},
+                        event.error,
+                        event.visible,
+                        inside,
+                        place,
+                        place + 1});
+  };
+  bool const enters = part.in.t > -everywhere;
+  if (enters) {
+    auto const entry = cut_->entry(query, part);
+    if (!entry) return 0;
+    if (!pass(*entry, true)) return all_taken;
+  }
+  if (!(part.out.t < everywhere) || part.out.t - part.out.error > query.until) return all_taken;
+  auto const exit = cut_->exit(query, part);
+  if (!exit) return enters ? 1 : 0;
+  pass(*exit, false);
+  return all_taken;
 }
 
 template <class Take>
@@ -152,22 +187,7 @@ bool TracedSolid::boolean(Query const& query, bool all, Take& take) const {
   for (std::size_t i = events.size(); i-- > 0;) {
     if (events[i].toggles) program_->set(*query.state, events[i].operand, !events[i].entering);
   }
-  std::size_t next = 0;
-  if (!all) {
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      // Up to the start, and what one operand crosses before something of its own at the start.
-      bool before = events[i].at_start || !(events[i].t > 0);
-      for (std::size_t j = i + 1; !before && j < events.size(); ++j) {
-        before = events[j].at_start && events[j].operand == events[i].operand;
-      }
-      if (!before) continue;
-      if (events[i].toggles) program_->set(*query.state, events[i].operand, events[i].entering);
-      std::rotate(events.begin() + static_cast<std::ptrdiff_t>(next),
-                  events.begin() + static_cast<std::ptrdiff_t>(i),
-                  events.begin() + static_cast<std::ptrdiff_t>(i + 1));
-      ++next;
-    }
-  }
+  std::size_t next = all ? 0 : pass_start(query);
   bool const before = query.state->value;
   while (next < events.size()) {
     std::size_t last = next + 1;

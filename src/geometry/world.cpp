@@ -11,8 +11,6 @@ namespace abbe::geometry {
 
 namespace {
 
-constexpr double everywhere = std::numeric_limits<double>::infinity();
-
 /// Tells one world's scratch from another's, nothing more.
 std::uint64_t next_world_number() {
   static std::atomic<std::uint64_t> last{0};
@@ -39,10 +37,10 @@ struct World::Impl {
     }
     scratch.owner = number;
   }
-  TracedSolid::Query query(SolidId id, Ray const& ray, Departure const* from,
-                           Scratch& scratch) const {
+  TracedSolid::Query query(SolidId id, Ray const& ray, Departure const* from, Scratch& scratch,
+                           double const& until = everywhere) const {
     CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
-    return {primitives, ray, from, scratch, state};
+    return {primitives, ray, from, scratch, state, until};
   }
   /// visit(solid) for those that the line may meet in [low, high]; false stops.
   template <class Visit>
@@ -138,25 +136,27 @@ bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, do
   impl_->each_solid(ray, 0.0, best_end, [&](SolidId id) {
     TracedSolid const& solid = impl_->solids[id];
     if ((solid.mask() & mask) == 0) return true;
-    solid.passages(
-        impl_->query(id, ray, from, scratch), false, [&](TracedSolid::Passage const& passage) {
-          SurfaceCrossing const& crossing = passage.crossing;
-          if (!(crossing.t < t_max) || crossing.t - passage.error > best_end) return false;
-          if (!passage.visible) return true;
-          if (crossing.t < best) {
-            best = crossing.t;
-            best_end = crossing.t + passage.error;
-            nearest = scratch.candidates.size();
-          }
-          auto const first = static_cast<std::uint32_t>(scratch.members.size());
-          auto const events = scratch.events.begin();
-          scratch.members.insert(scratch.members.end(),
-                                 events + static_cast<std::ptrdiff_t>(passage.first),
-                                 events + static_cast<std::ptrdiff_t>(passage.last));
-          scratch.candidates.push_back({crossing, passage.error, first,
-                                        static_cast<std::uint32_t>(passage.last - passage.first)});
-          return true;
-        });
+    solid.passages(impl_->query(id, ray, from, scratch, best_end), false,
+                   [&](TracedSolid::Passage const& passage) {
+                     SurfaceCrossing const& crossing = passage.crossing;
+                     if (!(crossing.t < t_max) || crossing.t - passage.error > best_end)
+                       return false;
+                     if (!passage.visible) return true;
+                     if (crossing.t < best) {
+                       best = crossing.t;
+                       best_end = crossing.t + passage.error;
+                       nearest = scratch.candidates.size();
+                     }
+                     auto const first = static_cast<std::uint32_t>(scratch.members.size());
+                     auto const events = scratch.events.begin();
+                     scratch.members.insert(scratch.members.end(),
+                                            events + static_cast<std::ptrdiff_t>(passage.first),
+                                            events + static_cast<std::ptrdiff_t>(passage.last));
+                     scratch.candidates.push_back(
+                         {crossing, passage.error, first,
+                          static_cast<std::uint32_t>(passage.last - passage.first)});
+                     return true;
+                   });
     return true;
   });
   if (scratch.candidates.empty()) return false;
@@ -171,7 +171,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   impl_->each_solid(ray, 0.0, t_max, [&](SolidId id) {
     TracedSolid const& solid = impl_->solids[id];
     if ((solid.mask() & mask) == 0) return true;
-    solid.passages(impl_->query(id, ray, from, scratch), false,
+    solid.passages(impl_->query(id, ray, from, scratch, t_max), false,
                    [&](TracedSolid::Passage const& passage) {
                      if (passage.crossing.t + passage.error >= t_max) return false;
                      found = passage.visible;

@@ -42,6 +42,8 @@ public:
     push(slice.out, slice.out_face, false, out);
   }
 
+  bool one_interval() const override { return true; }
+
 private:
   Derived const& self() const { return static_cast<Derived const&>(*this); }
   void push(Root<double> const& root, double face, bool entering, Crossings& out) const {

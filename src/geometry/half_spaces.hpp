@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/lane.hpp"
+#include "geometry/line_query.hpp"
+
+#include <span>
+#include <vector>
+
+/// Many half-spaces at once, in world space and four at a time, as a filter: it tells which of them
+/// bound what a line has in common with all of them, and where about. The crossings themselves are
+/// then computed by the shapes, so that a filtered answer has the bits of the unfiltered one.
+///
+/// Both the filter's t of a plane and the shape's own t +- error (with the slack) lie within
+/// (at_rest + |t| per_t) / |speed| of the filter's t, where speed is the rate at which the line
+/// nears the plane: whatever is farther apart than that is so for the shapes, too. What is not is
+/// said to be unclear, and left to the general way.
+namespace abbe::geometry {
+
+class HalfSpaces {
+public:
+  /// @param primitive a plane (is_plane)
+  /// @param outside_counts what is outside the plane is taken instead
+  void add(PrimitiveId primitive, Placed const& placed, bool outside_counts);
+  /// Call after the last add, which came in the order of primitives.
+  void finish();
+  bool empty() const { return primitives_.empty(); }
+  std::span<PrimitiveId const> primitives() const { return primitives_; }
+
+  enum class Verdict : std::uint8_t { Unclear, Nothing, Something };
+  /// One end of the common part.
+  struct End {
+    double t = 0;
+    double error = 0; ///< bound on the distance to the shape's own t +- error
+    std::size_t plane = 0;
+  };
+  /// What of the line after its start is in all half-spaces.
+  struct Common {
+    End in;  ///< t = -infinity when the start is in all of them
+    End out; ///< t = infinity when there is no end
+    double at_rest = 0, per_t = 0;
+  };
+  /// Unclear when the start lies on a plane by the departure's or its own error, or when a plane is
+  /// nearly parallel. The two ends need not be in order.
+  Verdict common(Ray const& ray, Departure const* from, HalfSpaceScratch& scratch,
+                 Common& out) const;
+  /// How many planes' crossings after the start may be within their errors of `t` +- `error`, of
+  /// those that enter the common part (those that leave it).
+  int entering_near(Common const& common, double t, double error, HalfSpaceScratch const&) const;
+  int leaving_near(Common const& common, double t, double error, HalfSpaceScratch const&) const;
+
+private:
+  Verdict apply_departure(Departure const& from, double steep, HalfSpaceScratch& scratch) const;
+  End end(Common const& common, std::vector<double> const& ts, double t,
+          HalfSpaceScratch const& scratch) const;
+
+  std::vector<PrimitiveId> primitives_; ///< ascending
+  std::vector<std::uint8_t> outside_counts_;
+  /// normal . p - level <= 0, in the plane's own scale: the largest component of a bound on the
+  /// absolute normal is 1. Filled up to whole lanes by repetition.
+  std::vector<double> normal_x_, normal_y_, normal_z_, level_;
+  double offset_size_ = 0; ///< largest sum of the absolute components of an offset
+};
+
+bool is_plane(Shape const& shape);
+
+} // namespace abbe::geometry

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/placed.hpp"
+#include "geometry/scratch.hpp"
+
+/// One line's question to one solid, and the crossings of single primitives that answer it.
+namespace abbe::geometry {
+
+struct LineQuery {
+  std::vector<Placed> const& primitives;
+  Ray const& ray;
+  Departure const* from;
+  Scratch& scratch;
+  CsgProgram::State* state; ///< of this solid's program; left as found
+  /// Passages whose error interval begins after it are not wanted; may shrink while they are taken.
+  double const& until;
+};
+
+/// Appends the crossings of the whole line with one primitive to scratch.events.
+/// @param hidden the operand has no surface of its own
+void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden);
+
+} // namespace abbe::geometry
