@@ -95,7 +95,7 @@ Value settings_value(Reader& in, std::string_view) {
 }
 Value background_value(Reader& in, std::string_view) {
   state_of(in).scene.background = read_colour(in, "the background");
-  while (!in.at_end()) reject(in, "background {}");
+  while (!in.at_end()) reject(in, "the end of background");
   return {};
 }
 
@@ -182,7 +182,8 @@ std::vector<BlockKind> const& all_kinds() {
 void read_block_statement(Reader& in) {
   std::string const head(in.next_word());
   BlockKind const* const kind = find_block_kind(head);
-  if (!kind || kind->read == unsupported_value) return reject(in, "the scene");
+  if (!kind || kind->read == unsupported_value)
+    return reject(in, "an object, a setting or a directive");
   if (!kind->place) {
     in.report(Severity::Error, "E0255",
               fmt::format("'{}' cannot stand alone: it belongs inside an object or behind #declare",
@@ -226,7 +227,7 @@ void read_statement(Reader& in) {
     state_of(in).scene.settings.max_trace_level = in.integer("max_trace_level", 1, 256);
     return;
   }
-  reject(in, "the scene");
+  reject(in, "an object, a setting or a directive");
 }
 
 } // namespace abbe::lang

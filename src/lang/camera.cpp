@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace abbe::lang {
 
@@ -20,6 +21,7 @@ struct Draft {
   std::optional<Vec3> look_at;
   std::optional<double> angle_deg;
   bool frame_given = false; ///< right or up is written
+  bool failed = false;      ///< reported as degenerate
   geometry::Transform transform;
 };
 
@@ -68,7 +70,8 @@ bool read_vectors(Reader& in, Draft& draft) {
   return true;
 }
 
-void fail(Reader& in, Draft const& draft, std::string_view why) {
+void fail(Reader& in, Draft& draft, std::string_view why) {
+  if (std::exchange(draft.failed, true)) return;
   in.report(Severity::Error, "E0352", why, draft.camera.span);
 }
 
@@ -123,7 +126,7 @@ void transform_camera(Camera& camera, geometry::Transform const& transform) {
 }
 
 /// Three directions in one plane show nothing.
-void check(Reader& in, Draft const& draft) {
+void check(Reader& in, Draft& draft) {
   Camera const& c = draft.camera;
   double const volume = std::abs(glm::dot(c.right, glm::cross(c.up, c.direction)));
   double const scale = glm::length(c.right) * glm::length(c.up) * glm::length(c.direction);
@@ -141,14 +144,15 @@ scene::Camera read_camera(Reader& in) {
     draft.camera = *named;
     draft.camera.span = in.block_span();
     while (!in.at_end())
-      if (!read_transform(in, draft.transform)) reject(in, "a copied camera (transforms only)");
+      if (!read_transform(in, draft.transform))
+        reject(in, "a transform (a copied camera takes nothing else)");
   } else {
     while (!in.at_end()) {
       if (in.accept("angle"))
         draft.angle_deg = read_angle(in);
       else if (!read_kind(in, draft.camera) && !read_vectors(in, draft)
                && !read_transform(in, draft.transform))
-        reject(in, "a camera");
+        reject(in, "a camera item");
     }
     work_in(in, draft);
   }

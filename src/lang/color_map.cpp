@@ -82,7 +82,7 @@ std::vector<Pigment::Entry> read_map(Reader& in, std::string_view what,
       read_entry(in, entries);
       in.close();
     } else {
-      reject(in, what);
+      reject(in, "an entry [value ...]");
     }
   }
   if (entries.empty())

@@ -35,6 +35,14 @@ void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
       child.span);
 }
 
+/// A block that is neither an object nor a modifier: most likely a misspelt object.
+bool is_unknown_block(Reader& in) {
+  if (in.next() != Next::Block) return false;
+  std::string_view const head = in.next_word();
+  return !find_block_kind(head) && head != "clipped_by" && head != "bounded_by"
+         && head != "interior_texture";
+}
+
 } // namespace
 
 /// Children, then (read by the caller) modifiers.
@@ -54,13 +62,14 @@ scene::Object read_csg(Reader& in, Object::Kind kind) {
       object.lights.push_back(*light);
     } else if (in.next() == Next::Block && skip_unsupported(in)) {
       failed = true;
+    } else if (is_unknown_block(in)) {
+      in.unexpected("an object");
+      failed = true;
     } else {
       break;
     }
   }
-  // An unknown block is reported as such by the caller.
-  bool const unknown_block = in.next() == Next::Block && !find_block_kind(in.next_word());
-  if (object.children.empty() && object.lights.empty() && !failed && !unknown_block)
+  if (object.children.empty() && object.lights.empty() && !failed)
     in.report(Severity::Error, "E0250", fmt::format("{} {{}} holds no objects", kind_name(kind)),
               object.span);
   return object;

@@ -21,7 +21,7 @@ void read_default(Reader& in) {
       state.default_camera = read_camera(in);
       in.close();
     } else {
-      reject(in, "#default");
+      reject(in, "a texture, pigment, finish or camera");
     }
   }
 }

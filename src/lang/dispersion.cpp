@@ -30,6 +30,7 @@ void read_jitter(Reader& in, DispersionMode& mode) {
 scene::DispersionMode read_dispersion_mode(Reader& in) {
   DispersionMode mode;
   mode.span = in.block_span();
+  bool rejected = false;
   while (!in.at_end()) {
     Span const at = in.next_span();
     bool const stochastic = mode.kind == DispersionMode::Kind::Stochastic;
@@ -50,10 +51,11 @@ scene::DispersionMode read_dispersion_mode(Reader& in) {
       else
         read_jitter(in, mode);
     } else {
-      reject(in, "dispersion {}");
+      reject(in, "a dispersion mode");
+      rejected = true;
     }
   }
-  if (mode.kind == DispersionMode::Kind::Inherit)
+  if (mode.kind == DispersionMode::Kind::Inherit && !rejected)
     in.report(Severity::Error, "E0250",
               "dispersion {} needs a mode: none, deterministic or stochastic", mode.span);
   return mode;

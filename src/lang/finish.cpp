@@ -64,7 +64,7 @@ void read_reflection_block(Reader& in, Reflection& reflection) {
       (colours == 0 ? reflection.minimum : reflection.maximum) = read_rgb(in, "reflection");
       ++colours;
     } else {
-      reject(in, "a reflection");
+      reject(in, "a colour or an item of reflection");
     }
   }
   if (colours == 0)
@@ -170,7 +170,7 @@ void read_finish(Reader& in, Finish& finish) {
     if (auto named = in.accept_value<Finish>())
       finish = *named;
     else if (!reject_legacy(in))
-      reject(in, "a finish");
+      reject(in, "a finish item");
   }
   apply(albedo, finish);
 }

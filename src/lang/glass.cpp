@@ -110,18 +110,21 @@ bool read_remarks(Reader& in, GlassBuilder& builder, double& nd, double& vd) {
 GlassPtr read_definition(Reader& in, GlassBuilder builder, Span at) {
   double nd = std::numeric_limits<double>::quiet_NaN();
   double vd = nd;
+  bool rejected = false;
   while (!in.at_end()) {
     if (in.accept("range")) {
       double const lo_um = in.number("lower end of the range in um");
       builder.range_um(lo_um, in.number("upper end of the range in um"));
     } else if (!read_model(in, builder) && !read_absorption(in, builder)
                && !read_remarks(in, builder, nd, vd)) {
-      reject(in, "a glass");
+      reject(in, "a glass item");
+      rejected = true;
     }
   }
   builder.printed(nd, vd);
   auto glass = builder.build();
   if (glass) return *glass;
+  if (rejected) return placeholder(); // what was meant is not known
   in.report(Severity::Error, glass.error().code, glass.error().message, at);
   return placeholder();
 }
@@ -132,7 +135,7 @@ GlassPtr read_changes(Reader& in, GlassPtr glass) {
     if (in.accept("absorption")) {
       if (!in.boolean_or(true)) glass = glass->without_absorption();
     } else {
-      reject(in, "a glass that has a name (only 'absorption off' changes one)");
+      reject(in, "'absorption off', which alone changes a glass");
     }
   }
   return glass;
@@ -183,13 +186,19 @@ std::shared_ptr<optics::Glass const> named_glass(Reader& in, std::string const& 
 
 std::shared_ptr<optics::Glass const> read_glass(Reader& in) {
   if (auto declared = in.accept_value<optics::Glass>()) return read_changes(in, declared);
+  if (in.open("glass")) { // what a macro yields
+    GlassPtr glass = read_glass(in);
+    in.close();
+    return read_changes(in, glass);
+  }
   if (in.next() == Next::String) {
     Span const at = in.next_span();
     GlassPtr glass = named_glass(in, in.string("name of a glass"), at);
     return read_changes(in, glass ? glass : placeholder());
   }
   Span const span = in.block_span();
-  return read_definition(in, GlassBuilder("glass"), span);
+  int const line = span.valid() ? span.source->place(span.begin).line : 0;
+  return read_definition(in, GlassBuilder(fmt::format("unnamed, line {}", line)), span);
 }
 
 } // namespace abbe::lang

@@ -21,6 +21,10 @@ void read_glass_catalog(Reader& in) {
     in.report(Severity::Error, read.error().code, path + ": " + read.error().message, at);
     return;
   }
+  if (read->empty()) {
+    in.report(Severity::Error, "E0414", path + ": no glass in it; is it an AGF file?", at);
+    return;
+  }
   auto& glasses = scene_state(in.interpreter()).file_glasses;
   glasses.insert(glasses.end(), read->begin(), read->end());
 }

@@ -95,7 +95,7 @@ void read_interior(Reader& in, Interior& interior) {
       ior_at = at;
     } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)
                && !read_fade(in, interior)) {
-      reject(in, "an interior");
+      reject(in, "an interior item");
     }
   }
   interior.span = span;

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace abbe::lang {
 
 namespace {
@@ -20,6 +23,7 @@ bool read_kind(Reader& in, Light& light) {
   } else if (in.next_word() == "cylinder") {
     in.report(Severity::Error, "E0901", "'cylinder' in a light_source is not supported yet", at);
     in.skip();
+    light.kind = Light::Kind::Spot; // what follows is written as for a spotlight
     return true;
   } else {
     return false;
@@ -27,6 +31,16 @@ bool read_kind(Reader& in, Light& light) {
   if (light.kind != Light::Kind::Point && light.kind != kind)
     in.report(Severity::Error, "E0901", "'spotlight' with 'parallel' is not supported yet", at);
   light.kind = kind;
+  return true;
+}
+
+/// Its options are part of it: one message is enough.
+bool reject_area(Reader& in) {
+  if (in.next_word() != "area_light") return false;
+  skip_unsupported(in);
+  constexpr std::string_view options[] = {"adaptive", "jitter", "circular", "orient",
+                                          "area_illumination"};
+  while (std::ranges::find(options, in.next_word()) != std::end(options)) in.skip();
   return true;
 }
 
@@ -39,13 +53,28 @@ double read_angle(Reader& in, std::string_view name) {
   return 45;
 }
 
+/// `point_at` and the like before or without the word that gives them a meaning.
+bool reject_aim(Reader& in) {
+  for (std::string_view word : {"point_at", "radius", "falloff", "tightness"}) {
+    Span const at = in.next_span();
+    if (!in.accept(word)) continue;
+    in.report(Severity::Error, "E0252",
+              fmt::format("'{}' belongs behind 'spotlight'{}", word,
+                          word == "point_at" ? " or 'parallel'" : ""),
+              at);
+    if (in.has_value()) in.vec3(word);
+    return true;
+  }
+  return false;
+}
+
 bool read_aim(Reader& in, Light& light) {
-  if (light.kind == Light::Kind::Point) return false;
+  if (light.kind == Light::Kind::Point) return reject_aim(in);
   if (in.accept("point_at")) {
     light.point_at = in.vec3("point_at");
     return true;
   }
-  if (light.kind != Light::Kind::Spot) return false;
+  if (light.kind != Light::Kind::Spot) return reject_aim(in);
   if (in.accept("radius"))
     light.radius_deg = read_angle(in, "radius");
   else if (in.accept("falloff"))
@@ -68,7 +97,7 @@ bool read_item(Reader& in, Light& light) {
   else if (in.accept("fade_power"))
     light.fade_power = in.number("fade_power");
   else
-    return read_kind(in, light) || read_aim(in, light);
+    return reject_area(in) || read_kind(in, light) || read_aim(in, light);
   return true;
 }
 
@@ -90,7 +119,7 @@ scene::Light read_light(Reader& in) {
   }
   light.span = in.block_span();
   while (!in.at_end())
-    if (!read_item(in, light)) reject(in, "a light_source");
+    if (!read_item(in, light)) reject(in, "a light_source item");
   check(in, light);
   return light;
 }

@@ -69,7 +69,7 @@ MaterialValue read_material(Reader& in) {
       if (material.texture) transform_layers(*material.texture, transform);
       if (material.interior_texture) transform_layers(*material.interior_texture, transform);
     } else {
-      reject(in, "a material");
+      reject(in, "a material item");
     }
   }
   return material;

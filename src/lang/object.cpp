@@ -66,7 +66,7 @@ Object read_wrapped(Reader& in) {
   if (in.at_end())
     in.report(Severity::Error, "E0250", "object {} must hold an object or the name of one", span);
   else
-    reject(in, "object {}, which begins with an object or the name of one");
+    reject(in, "an object or the name of one");
   while (!in.at_end()) in.skip();
   return nothing(span);
 }
@@ -94,7 +94,7 @@ scene::Object read_object(Reader& in, std::string_view head) {
       in.skip();
       continue;
     }
-    reject(in, fmt::format("{} {}", head == "object" || head == "intersection" ? "an" : "a", head));
+    reject(in, fmt::format("a modifier of {}", head));
   }
   return object;
 }

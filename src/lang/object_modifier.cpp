@@ -13,7 +13,7 @@ void read_objects(Reader& in, std::vector<Object>& into, std::string_view where)
     if (auto object = accept_object(in))
       into.push_back(std::move(*object));
     else
-      reject(in, where);
+      reject(in, "an object");
   }
   if (into.size() == before)
     in.report(Severity::Error, "E0250", std::string(where) + " holds no object", in.block_span());

@@ -13,7 +13,7 @@ inline std::vector<optics::Pair> read_pairs(Reader& in, std::string_view x, std:
   std::vector<optics::Pair> rows;
   while (!in.at_end()) {
     if (!in.open_bracket()) {
-      reject(in, "a table of rows [x, y]");
+      reject(in, "a row [x, y]");
       continue;
     }
     double const first = in.number(x);

@@ -158,7 +158,9 @@ void read_pigment(Reader& in, Pigment& pigment) {
     if (read_pattern(in, draft) || read_modifier(in, draft) || read_map(in, draft)
         || read_other(in, draft))
       continue;
-    reject(in, "a pigment");
+    // Asking for them makes them what "did you mean" offers.
+    for (auto const& kind : texture::pattern_kinds()) in.accept(kind.keyword);
+    reject(in, "a pigment item");
   }
   pigment.span = span;
   draft.store();

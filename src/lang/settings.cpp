@@ -54,7 +54,7 @@ void read_spectral(Reader& in, SpectralSettings& spectral) {
     } else if (in.accept("unit")) {
       spectral.mm_per_unit = read_unit(in);
     } else {
-      reject(in, "spectral {}");
+      reject(in, "a spectral setting");
     }
   }
   if (spectral.spacing == SpectralSettings::Spacing::Boundaries
@@ -150,7 +150,7 @@ Result<optics::Bands> make_bands(SpectralSettings const& spectral) {
 
 void read_global_settings(Reader& in, Settings& settings) {
   while (!in.at_end())
-    if (!read_item(in, settings)) reject(in, "global_settings");
+    if (!read_item(in, settings)) reject(in, "a global setting");
 }
 
 } // namespace abbe::lang

@@ -21,7 +21,7 @@ scene::SkySphere read_sky_sphere(Reader& in) {
     } else if (read_transform(in, transform)) {
       sky.placement = sky.placement.then(transform);
     } else {
-      reject(in, "a sky_sphere");
+      reject(in, "a sky_sphere item");
     }
   }
   sky.span = in.block_span();

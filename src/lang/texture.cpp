@@ -35,11 +35,11 @@ bool reject_patterned(Reader& in) {
 }
 
 bool read_named(Reader& in, scene::Layers& layers, bool first) {
+  Span const at = in.next_span();
   if (auto named = in.accept_value<scene::Layers>()) {
     if (!first)
       in.report(Severity::Error, "E0251",
-                "the name of a texture must be the first item of texture {}",
-                named->empty() ? Span{} : named->front().span);
+                "the name of a texture must be the first item of texture {}", at);
     layers = *named;
   } else if (auto pigment = in.accept_value<scene::Pigment>()) {
     set_pigment(layers.back(), *pigment);
@@ -79,7 +79,7 @@ void read_texture(Reader& in, scene::Layers& layers) {
     if (read_transform(in, transform))
       transform_layers(layers, transform);
     else if (!reject_patterned(in))
-      reject(in, "a texture");
+      reject(in, "a texture item");
   }
   for (scene::Texture& layer : layers)
     if (!layer.span.valid()) layer.span = span;

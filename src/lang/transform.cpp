@@ -62,11 +62,10 @@ bool read_transform(Reader& in, Transform& transform) {
     transform = transform.then(read_transform_block(in));
     in.close();
   } else if (in.accept("transform")) {
-    Span const at = in.next_span();
     if (auto named = in.accept_value<Transform>())
       transform = transform.then(*named);
     else
-      in.report(Severity::Error, "E0250", "expected the name of a transform after 'transform'", at);
+      reject(in, "the name of a transform");
   } else {
     return false;
   }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "blocks_scene.hpp"
+#include "optics/spectrum.hpp"
+
+#include <fstream>
+#include <set>
+
+namespace abbe::lang {
+namespace {
+
+TEST(Settings, SpectralBlock) {
+  using Spacing = scene::SpectralSettings::Spacing;
+  auto const s = scene_of("global_settings { assumed_gamma 1 adc_bailout 0.01 max_trace_level 12\n"
+                          "ambient_light rgb 0 spectral { bands 45 range 400, 700 spacing hall\n"
+                          "dispersion { stochastic } unit 1000 } }")
+                     .settings;
+  EXPECT_EQ(s.assumed_gamma, 1);
+  EXPECT_EQ(s.adc_bailout, 0.01);
+  EXPECT_EQ(s.max_trace_level, 12);
+  EXPECT_TRUE(s.spectral.requested);
+  EXPECT_EQ(s.spectral.bands, 45);
+  EXPECT_EQ(s.spectral.low_nm, 400);
+  EXPECT_EQ(s.spectral.spacing, Spacing::Hall);
+  EXPECT_EQ(s.spectral.mm_per_unit, 1000);
+  EXPECT_EQ(s.spectral.dispersion.kind, scene::DispersionMode::Kind::Stochastic);
+  auto const b =
+      scene_of("global_settings { spectral { spacing boundaries { 380, 500, 600, 780 } } }")
+          .settings;
+  EXPECT_EQ(b.spectral.bands, 3);
+  EXPECT_EQ(b.spectral.high_nm, 780);
+}
+
+TEST(Settings, MistakesAreNamedOnce) {
+  EXPECT_EQ(codes("global_settings { spectral { range 700, 400 } }"), "E0416");
+  EXPECT_EQ(codes("global_settings { spectral { spacing boundaries { 500, 400 } } }"), "E0416");
+  EXPECT_EQ(codes("global_settings { spectral { unit 0 } }"), "E0353");
+  EXPECT_EQ(codes("global_settings { radiosity { count 35 } }"), "E0901");
+  EXPECT_EQ(codes("global_settings { photons { count 20000 media 10 } }"), "E0901");
+  EXPECT_EQ(
+      codes("global_settings { number_of_waves 3 charset utf8 hf_gray_16 max_intersections 64 }"),
+      "E0902");
+  EXPECT_EQ(codes("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }"),
+            "E0357");
+}
+
+TEST(Light, KindsAndFalloff) {
+  auto const s = scene_of(
+      "light_source { <1, 2, 3>, rgb 2 }\n"
+      "light_source { 0, rgb 1 spotlight point_at y radius 10 falloff 20 tightness 3 translate x "
+      "}\n"
+      "light_source { y, rgb 1 parallel point_at 0 shadowless fade_distance 5 fade_power 2 }\n"
+      "#declare L = light_source { 0 rgb 1 } light_source { L translate z } light_source { 0 }");
+  using Kind = scene::Light::Kind;
+  ASSERT_EQ(s.lights.size(), 5u);
+  EXPECT_EQ(s.lights[0].position, Vec3(1, 2, 3));
+  EXPECT_EQ(s.lights[1].kind, Kind::Spot);
+  EXPECT_EQ(s.lights[1].position, Vec3(1, 0, 0));
+  EXPECT_EQ(s.lights[1].point_at, Vec3(1, 1, 0));
+  EXPECT_EQ(s.lights[1].falloff_deg, 20);
+  EXPECT_EQ(s.lights[2].kind, Kind::Parallel);
+  EXPECT_TRUE(s.lights[2].shadowless);
+  EXPECT_EQ(s.lights[2].fade_power, 2);
+  EXPECT_EQ(s.lights[3].position, Vec3(0, 0, 1));
+  EXPECT_EQ(s.lights[4].colour.rgb, Vec3(1));
+}
+
+TEST(Light, MistakesAreNamedOnce) {
+  EXPECT_EQ(codes("light_source { 0, rgb 1 area_light x, y, 4, 4 adaptive 1 jitter }"), "E0901");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 looks_like { sphere { 0, 1 } } }"), "E0901");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 cylinder point_at y radius 1 falloff 2 }"), "E0901");
+  EXPECT_EQ(codes("light_source { y, rgb 1 spotlight point_at y }"), "E0353");
+}
+
+TEST(Sky, PigmentsStack) {
+  auto const s = scene_of(
+      "sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0, 0, 1>] } scale 2 }\n"
+      "pigment { rgbt <1, 1, 1, 0.5> } emission 0.5 rotate 90*x }\nbackground { rgb 0.1 }");
+  ASSERT_TRUE(s.sky_sphere);
+  EXPECT_EQ(s.sky_sphere->pigments.size(), 2u);
+  EXPECT_EQ(s.sky_sphere->emission.rgb, Vec3(0.5));
+  EXPECT_EQ(s.background.rgb, Vec3(0.1));
+}
+
+TEST(Spectrum, EveryFormIsRead) {
+  auto const s = scene_of("#macro L(S) light_source { 0, S } #end\n"
+                          "L(spectrum { [400, 0.1] [500, 0.6] [700, 0.2] })\n"
+                          "L(spectrum { blackbody 5600 })\nL(spectrum { illuminant \"D65\" })\n"
+                          "L(spectrum { lines { [404.66, 0.3] [546.07, 1.0] [578.0, 0.7] } })\n"
+                          "L(spectrum { illuminant \"sodium\" })");
+  ASSERT_EQ(s.lights.size(), 5u);
+  for (auto const& light : s.lights) EXPECT_TRUE(light.colour.spectrum);
+  // A light of the sRGB white point is white: the tolerance is that of the 5 nm table of D65.
+  expect_near(optics::light_rgb(*s.lights[2].colour.spectrum), Vec3(1), 2e-3);
+}
+
+TEST(Spectrum, MistakesAreNamedOnce) {
+  EXPECT_EQ(codes("light_source { 0, spectrum { illuminant \"D66\" } }"), "E0413");
+  EXPECT_EQ(codes("light_source { 0, spectrum { blackbody 0 } }"), "E0415");
+  EXPECT_EQ(codes("light_source { 0, spectrum { [500, 1] [400, 1] } }"), "E0415");
+  EXPECT_EQ(codes("light_source { 0, spectrum { } }"), "E0250");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { spectrum { \"Au\" } } }"), "E0420");
+}
+
+TEST(Unsupported, TheListAndTheDocumentationAgree) {
+  std::set<std::string> listed;
+#define ABBE_UNSUPPORTED(word, where, what)                                                        \
+  listed.insert(std::string("| `") + word + "` | " + where + " | " + what + " |");
+#include "lang/unsupported.def"
+#undef ABBE_UNSUPPORTED
+  std::ifstream stream(ABBE_SOURCE_DIR "/docs/compatibility.md");
+  std::set<std::string> documented;
+  bool in_table = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line == "<!-- unsupported -->") in_table = true;
+    if (line == "<!-- /unsupported -->") in_table = false;
+    if (in_table && line.rfind("| `", 0) == 0) documented.insert(line);
+  }
+  EXPECT_EQ(documented, listed);
+}
+
+TEST(StandardLibrary, EveryFileIsReadWithoutAMessage) {
+  auto const s = scene_of("#include \"colors.inc\"\n#include \"glasses.inc\"\n#include "
+                          "\"metals.inc\"\n#include \"lamps.inc\"\n"
+                          "background { SkyBlue }\nlight_source { 0, Lamp_Sodium() * 2 }\n"
+                          "light_source { 0, Lamp_Mercury_Lines() }\n"
+                          "sphere { 0, 1 interior { glass { Glass_BK7() } } }\n"
+                          "sphere { 0, 1 texture { pigment { Orange } Finish_Gold() } }\n"
+                          "sphere { 0, 1 Texture_Metal(\"Cr\") }");
+  EXPECT_EQ(s.background.rgb, Vec3(0.196078, 0.6, 0.8));
+  EXPECT_EQ(s.lights[0].colour.rgb, Vec3(2));
+  EXPECT_TRUE(s.objects[1].texture->front().finish.reflection->metal);
+}
+
+} // namespace
+} // namespace abbe::lang
