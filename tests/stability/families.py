@@ -103,9 +103,53 @@ def scale_by_two(render, full):
         yield Row(name, variants, unit='files')
 
 
+PLACEMENTS = {'unit': {}, 'x 1000': {'Exp10': 3}, 'x 0.01': {'Exp10': -2}, 'moved by 1000': {'Move': 3}}
+COINCIDENCES = {0: 'box minus box, 2 faces shared', 1: 'notch, 3 faces shared', 2: 'A minus A', 3: 'A and A',
+                4: 'union of 2 glass boxes sharing a face', 5: 'merge of 2 glass boxes sharing a face',
+                6: 'merge of 2 overlapping glass boxes, flush', 7: 'merge of 4x4x4 glass cubes',
+                8: 'union of 4x4x4 glass cubes', 9: 'glass sphere twice', 10: 'glass box and its half again'}
+
+
+def coincident(render, full):
+    """Against the same solid without coincidences; pixels within one pixel of an edge do not count."""
+    del full
+    cases = [(row, turn, placement) for row in COINCIDENCES for turn in (0, 1) for placement in PLACEMENTS]
+    wanted = []
+    for row, turn, placement in cases:
+        wanted += [('coincident.pov', dict(PLACEMENTS[placement], Row=row, Turn=turn, Clean=clean))
+                   for clean in (1, 0)]
+    made = iter(render.pictures(wanted))
+    rows = {}
+    for row, turn, placement in cases:
+        reference, picture = next(made), next(made)
+        label = ('rotated, ' if turn else '') + placement
+        if reference is None or picture is None:
+            variant = Variant(label, None, False)
+        else:
+            wrong = reference.differing(picture)
+            inner = wrong - reference.silhouettes() if wrong else wrong
+            variant = Variant(label, float(len(wrong)), not inner, picture)
+        rows.setdefault(row, []).append((variant, reference))
+    for row, name in COINCIDENCES.items():
+        yield Row(name, [variant for variant, _ in rows[row]], 'pixels', rows[row][0][1])
+
+
+MEDIA = {0: 'water in a tumbler', 1: 'two glasses side by side', 2: 'one glass in two boxes'}
+
+
+def touching_media(render, full):
+    """Contact, overlap and a gap are the same picture."""
+    gaps = (1e-12, -1e-12, 1e-9, -1e-9, 1e-7, -1e-7, 1e-5, -1e-5) if full else (1e-7, -1e-7)
+    for turn in (0, 1):
+        rows = {row: name + (', rotated' if turn else '') for row, name in MEDIA.items()}
+        yield from sweep(render, 'media.pov', rows, 'Gap', gaps, lambda gap: 0.1, False, Turn=turn)
+
+
 FAMILIES = {
     'scale_by_two': scale_by_two,
     'scale_by_ten': scale_by_ten,
     'scale_by_ten_placed': scale_by_ten_placed,
     'translation': translation,
+    'coincident': coincident,
+    'touching_media': touching_media,
 }

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/sphere.hpp"
+#include "geometry/shapes/torus.hpp"
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+/// Numbers of roots against exact rational arithmetic on the same doubles.
+namespace abbe::geometry {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Polynomial = std::vector<Rational>; // ascending powers
+
+class Dice {
+public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  double number(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  Vec3 direction() {
+    for (;;) {
+      double const x = number(-1, 1), y = number(-1, 1), z = number(-1, 1);
+      double const length = std::sqrt(x * x + y * y + z * z);
+      if (length > 0.1 && length < 1) return Vec3(x, y, z) / length;
+    }
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+void trim(Polynomial& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+Polynomial product(Polynomial const& a, Polynomial const& b) {
+  Polynomial out(a.size() + b.size() - 1, Rational(0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) out[i + j] += a[i] * b[j];
+  return out;
+}
+
+/// Distinct real roots of all t, by Sturm's theorem.
+int distinct_roots(Polynomial p) {
+  trim(p);
+  if (p.size() < 2) return 0;
+  Polynomial derivative;
+  for (std::size_t i = 1; i < p.size(); ++i) derivative.push_back(p[i] * static_cast<int>(i));
+  std::vector<Polynomial> chain{p, derivative};
+  while (chain.back().size() > 1) {
+    Polynomial rest = chain[chain.size() - 2];
+    Polynomial const& by = chain.back();
+    while (rest.size() >= by.size()) {
+      Rational const factor = rest.back() / by.back();
+      std::size_t const shift = rest.size() - by.size();
+      for (std::size_t i = 0; i < by.size(); ++i) rest[shift + i] -= factor * by[i];
+      rest.pop_back();
+      trim(rest);
+    }
+    if (rest.empty()) break;
+    for (auto& c : rest) c = -c;
+    chain.push_back(rest);
+  }
+  auto const changes = [&](bool at_plus) {
+    int count = 0, last = 0;
+    for (auto const& q : chain) {
+      int sign = q.back() > 0 ? 1 : -1;
+      if (!at_plus && q.size() % 2 == 0) sign = -sign;
+      if (last != 0 && sign != last) ++count;
+      last = sign;
+    }
+    return count;
+  };
+  return changes(false) - changes(true);
+}
+
+std::array<Rational, 3> exact(Vec3 const& v) {
+  return {Rational(v.x), Rational(v.y), Rational(v.z)};
+}
+/// |p(t)|^2 over some of the components.
+Polynomial square_of(Ray const& ray, std::initializer_list<int> axes) {
+  auto const o = exact(ray.origin), d = exact(ray.direction);
+  Polynomial out(3, Rational(0));
+  for (int const i : axes) {
+    auto const k = static_cast<std::size_t>(i);
+    out[0] += o[k] * o[k];
+    out[1] += 2 * o[k] * d[k];
+    out[2] += d[k] * d[k];
+  }
+  return out;
+}
+
+int found(Shape const& shape, Ray const& ray) {
+  Crossings out;
+  shape.crossings(ray, nullptr, out);
+  return static_cast<int>(out.size());
+}
+
+/// A line through two places `apart` from one another on the unit sphere, seen from `distance`.
+Ray chord_of_sphere(Dice& dice, double apart, double distance) {
+  Vec3 const a = dice.direction();
+  Vec3 const tangent = glm::normalize(glm::cross(a, dice.direction()));
+  double const half = apart / 2;
+  Vec3 const middle = a * std::sqrt((1 - half) * (1 + half));
+  return {middle - tangent * distance, tangent, Vec3(0)};
+}
+
+TEST(Roots, OfASphereAreCountedExactlyDownToTheRoundingOfTheRay) {
+  Dice dice(1);
+  Sphere const sphere;
+  for (double const distance : {3.0, 1e3, 1e6}) {
+    for (int exponent = 1; exponent <= 7; ++exponent) {
+      double const apart = std::pow(10.0, -exponent);
+      int wrong = 0, doubtful = 0, rays = 0;
+      for (int i = 0; i < 400; ++i) {
+        // Just inside or just outside the silhouette.
+        Ray ray = chord_of_sphere(dice, apart, distance);
+        if (i % 2) ray.origin += ray.origin * 0.0 + glm::normalize(ray.origin + ray.direction * distance) * (apart * apart / 4);
+        Polynomial p = square_of(ray, {0, 1, 2});
+        p[0] -= 1;
+        // The margin by which the line hits or misses, of the squared distance.
+        Rational const margin = (p[1] * p[1] - 4 * p[0] * p[2]) / (4 * p[2]);
+        double const size = std::fabs(static_cast<double>(margin));
+        ++rays;
+        bool const right = found(sphere, ray) == distinct_roots(p);
+        // What closest approach in doubles can tell: a few roundings of the unit radius, and of the
+        // place on a line of this length.
+        if (size < 0x1p-50 + 0x1p-50 * distance) ++doubtful;
+        else if (!right) ++wrong;
+      }
+      EXPECT_EQ(wrong, 0) << "separation " << apart << ", distance " << distance;
+      if (distance < 10 && exponent <= 7) {
+        EXPECT_LE(doubtful, exponent < 7 ? 0 : rays);
+      }
+    }
+  }
+}
+
+Polynomial torus_polynomial(Ray const& ray, double major, double minor) {
+  // (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2)
+  Rational const R(major), r(minor);
+  Polynomial all = square_of(ray, {0, 1, 2});
+  all[0] += R * R - r * r;
+  Polynomial out = product(all, all);
+  Polynomial const ring = square_of(ray, {0, 2});
+  for (std::size_t i = 0; i < 3; ++i) out[i] -= 4 * R * R * ring[i];
+  return out;
+}
+
+Vec3 on_torus(double major, double minor, double around, double tube) {
+  double const rho = major + minor * std::cos(tube);
+  return {rho * std::cos(around), minor * std::sin(tube), rho * std::sin(around)};
+}
+
+TEST(Roots, OfATorusAreCountedExactlyForCloseRoots) {
+  Dice dice(2);
+  for (double const minor : {0.5, 0.1, 1e-2}) {
+    Torus const torus(1, minor);
+    for (int exponent = 1; exponent <= 7; ++exponent) {
+      double const apart = minor * std::pow(10.0, -exponent);
+      int wrong = 0;
+      for (int i = 0; i < 150; ++i) {
+        // Through two places of one cross-section of the tube, `apart` from one another.
+        double const around = dice.number(0, 6.28), tube = dice.number(0, 6.28);
+        Vec3 const a = on_torus(1, minor, around, tube);
+        Vec3 const b = on_torus(1, minor, around, tube + apart / minor);
+        Vec3 const d = glm::normalize(b - a);
+        Ray const ray{a - d * 3.0, d, Vec3(0)};
+        int const truth = distinct_roots(torus_polynomial(ray, 1, minor));
+        if (found(torus, ray) != truth) ++wrong;
+      }
+      RecordProperty("wrong_" + std::to_string(minor) + "_1e-" + std::to_string(exponent), wrong);
+      // The depth of such a chord is apart^2 / (8 minor); the ray's own place is rounded to 2^-52 or so.
+      double const depth = apart * apart / (8 * minor);
+      if (depth > 0x1p-48) {
+        EXPECT_EQ(wrong, 0) << "minor " << minor << ", separation " << apart;
+      }
+    }
+  }
+}
+
+TEST(Roots, OfAThinTorusFarAwayAreTheExactOnes) {
+  Dice dice(3);
+  for (double const minor : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    Torus const torus(1, minor);
+    for (double const distance : {3.0, 1e2, 1e4, 1e6}) {
+      int wrong = 0;
+      for (int i = 0; i < 200; ++i) {
+        Vec3 const at = on_torus(1, 0, dice.number(0, 6.28), 0);
+        Vec3 const d = dice.direction();
+        Vec3 const side = glm::normalize(glm::cross(d, dice.direction()));
+        // Two of three aim at the tube.
+        Vec3 const aim = at + side * (minor * dice.number(0, 1.5));
+        Ray const ray{aim - d * distance, d, Vec3(0)};
+        int const truth = distinct_roots(torus_polynomial(ray, 1, minor));
+        if (found(torus, ray) == truth) continue;
+        // A line that passes the silhouette closer than the rounding of its own far origin is in
+        // doubt: a tube wider or narrower by that has another count.
+        double const blur = 0x1p-50 * distance;
+        if (distinct_roots(torus_polynomial(ray, 1, minor - blur))
+            == distinct_roots(torus_polynomial(ray, 1, minor + blur)))
+          ++wrong;
+      }
+      EXPECT_EQ(wrong, 0) << "minor " << minor << ", distance " << distance;
+    }
+  }
+}
+
+} // namespace
+} // namespace abbe::geometry
