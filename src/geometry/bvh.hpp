@@ -39,8 +39,14 @@ inline constexpr int max_bvh_depth = 64;
 /// A line against boxes: 1 / direction once, and the widening that makes the test conservative:
 /// each bound has three roundings (pbrt 6.8.2).
 struct BoxProbe {
-  Vec3 origin, inverse;
-  explicit BoxProbe(Ray const& ray) : origin(ray.origin), inverse(1.0 / ray.direction) {}
+  Vec3 low_origin, high_origin, inverse;
+  explicit BoxProbe(Ray const& ray)
+      : low_origin(ray.origin), high_origin(ray.origin), inverse(1.0 / ray.direction) {}
+  /// The boxes wider by `reach` on each side.
+  BoxProbe(Ray const& ray, Vec3 const& reach)
+      : low_origin(ray.origin + reach),
+        high_origin(ray.origin - reach),
+        inverse(1.0 / ray.direction) {}
 
   /// Where the line is in the box within [from, to]: the entry, or false.
   template <class V>
@@ -48,8 +54,8 @@ struct BoxProbe {
     constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
     for (int i = 0; i < 3; ++i) {
       bool const rising = inverse[i] > 0;
-      double near = ((rising ? low[i] : high[i]) - origin[i]) * inverse[i];
-      double far = ((rising ? high[i] : low[i]) - origin[i]) * inverse[i];
+      double near = (rising ? low[i] - low_origin[i] : high[i] - high_origin[i]) * inverse[i];
+      double far = (rising ? high[i] - high_origin[i] : low[i] - low_origin[i]) * inverse[i];
       near *= near < 0 ? wide : tight;
       far *= far < 0 ? tight : wide;
       if (near > from) from = near; // false for NaN: a line in the face's plane is not rejected

@@ -33,10 +33,6 @@ Double4 load(std::vector<double> const& from, std::size_t i) {
 void store(std::vector<double>& to, std::size_t i, Double4 const& v) {
   std::memcpy(to.data() + i, &v, sizeof v);
 }
-bool any(lane::Mask4 const& mask) {
-  auto const both = mask.low | mask.high;
-  return (both[0] | both[1]) != 0;
-}
 double least(Double4 const& v) {
   return std::min(std::min(v.low[0], v.low[1]), std::min(v.high[0], v.high[1]));
 }
@@ -101,25 +97,28 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
   double const steep = clear_factor * out.per_t;
   Double4 const ox(ray.origin.x), oy(ray.origin.y), oz(ray.origin.z);
   Double4 const dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
+  Double4 const zero(0.0), far(infinity), at_rest(out.at_rest), slow(steep);
   for (std::size_t i = 0; i < size; i += width) {
     Double4 const nx = load(normal_x_, i), ny = load(normal_y_, i), nz = load(normal_z_, i);
-    store(scratch.height, i, (nx * ox + ny * oy + nz * oz) - load(level_, i));
-    store(scratch.speed, i, nx * dx + ny * dy + nz * dz);
+    Double4 const height = (nx * ox + ny * oy + nz * oz) - load(level_, i);
+    Double4 const speed = nx * dx + ny * dy + nz * dz;
+    // Outside of one, and going away from it.
+    if (!lane::none(lane::both(at_rest < height, slow < speed))) return Verdict::Nothing;
+    store(scratch.height, i, height);
+    store(scratch.speed, i, speed);
   }
   if (from != nullptr) {
     Verdict const verdict = apply_departure(*from, steep, scratch);
     if (verdict != Verdict::Something) return verdict;
   }
-  Double4 const zero(0.0), far(infinity), at_rest(out.at_rest), slow(steep);
   Double4 nearest_out = far, farthest_in = far; // of -t
-  lane::Mask4 unclear{}, outside{};
+  lane::Mask4 unclear{};
   for (std::size_t i = 0; i < size; i += width) {
     Double4 const height = load(scratch.height, i), speed = load(scratch.speed, i);
     unclear =
         lane::either(unclear, lane::either(lane::abs(height) <= at_rest, lane::abs(speed) <= slow));
     Double4 const minus_t = height / speed, t = -minus_t;
     auto const leaving = zero < speed, above = zero < height;
-    outside = lane::either(outside, lane::both(leaving, above));
     Double4 const out_t = lane::select(leaving, t, far);
     Double4 const minus_in = lane::select(lane::both(lane::negate(leaving), above), minus_t, far);
     store(scratch.out, i, out_t);
@@ -127,8 +126,7 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
     nearest_out = lane::min(nearest_out, out_t);
     farthest_in = lane::min(farthest_in, minus_in);
   }
-  if (any(unclear)) return Verdict::Unclear;
-  if (any(outside)) return Verdict::Nothing;
+  if (!lane::none(unclear)) return Verdict::Unclear;
   double const minus_in = least(farthest_in), out_t = least(nearest_out);
   out.in = end(out, scratch.minus_in, minus_in, scratch);
   out.in.t = -out.in.t;

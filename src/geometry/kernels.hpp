@@ -70,16 +70,62 @@ Slice<L> slab(L const& o, L const& d, L const& o_rounding, L const& d_rounding, 
           face + lane::select(rising, zero, one), face + lane::select(rising, one, zero)};
 }
 
-/// Cube [-1, 1]^3. Faces: 0 -x, 1 +x, 2 -y, 3 +y, 4 -z, 5 +z.
+/// What a slab knows along its axis, before any error is computed.
+template <class L>
+struct SlabEnd {
+  L t, o, d, o_rounding, d_rounding, slack, face;
+};
+template <class L, class M>
+SlabEnd<L> select(M const& mask, SlabEnd<L> const& a, SlabEnd<L> const& b) {
+  return {lane::select(mask, a.t, b.t),
+          lane::select(mask, a.o, b.o),
+          lane::select(mask, a.d, b.d),
+          lane::select(mask, a.o_rounding, b.o_rounding),
+          lane::select(mask, a.d_rounding, b.d_rounding),
+          lane::select(mask, a.slack, b.slack),
+          lane::select(mask, a.face, b.face)};
+}
+/// The error of an end of a slab; none where the line is along the slab.
+template <class L>
+Root<L> slab_root(SlabEnd<L> const& end) {
+  L const zero(0.0), one(1.0), speed = lane::abs(end.d);
+  L const rounding = end.o_rounding + lane::abs(end.t) * end.d_rounding
+                     + L(gamma_bound(4)) * (one + lane::abs(end.o));
+  auto const along = end.d == zero;
+  return {end.t, lane::select(along, zero, rounding / speed + L(gamma_bound(2)) * lane::abs(end.t)),
+          lane::select(along, zero, end.slack / speed)};
+}
+
+/// Cube [-1, 1]^3: three slabs, with the errors of those faces alone that decide. Faces: 0 -x,
+/// 1 +x, 2 -y, 3 +y, 4 -z, 5 +z.
 template <class L>
 Slice<L> cube(Line<L> const& l) {
-  Slice<L> const x = slab(l.origin.x, l.direction.x, l.origin_rounding.x, l.direction_rounding.x,
-                          l.slack.x, L(0.0));
-  Slice<L> const y = slab(l.origin.y, l.direction.y, l.origin_rounding.y, l.direction_rounding.y,
-                          l.slack.y, L(2.0));
-  Slice<L> const z = slab(l.origin.z, l.direction.z, l.origin_rounding.z, l.direction_rounding.z,
-                          l.slack.z, L(4.0));
-  return common(common(x, y), z);
+  L const zero(0.0), one(1.0), far(infinity);
+  auto const ends = [&](L const& o, L const& d, L const& o_rounding, L const& d_rounding,
+                        L const& slack, L const& face, SlabEnd<L>& in, SlabEnd<L>& out) {
+    auto const rising = zero < d;
+    auto const along = d == zero;
+    L const side = lane::select(rising, one, -one);
+    L const none = lane::select(lane::abs(o) <= one, far, -far);
+    L const in_t = lane::select(along, -none, (-side - o) / d);
+    L const out_t = lane::select(along, none, (side - o) / d);
+    in = {in_t, o, d, o_rounding, d_rounding, slack, face + lane::select(rising, zero, one)};
+    out = {out_t, o, d, o_rounding, d_rounding, slack, face + lane::select(rising, one, zero)};
+  };
+  SlabEnd<L> in, out, next_in, next_out;
+  auto const narrow = [&] {
+    in = select(in.t < next_in.t, next_in, in);
+    out = select(next_out.t < out.t, next_out, out);
+  };
+  ends(l.origin.x, l.direction.x, l.origin_rounding.x, l.direction_rounding.x, l.slack.x, zero, in,
+       out);
+  ends(l.origin.y, l.direction.y, l.origin_rounding.y, l.direction_rounding.y, l.slack.y, L(2.0),
+       next_in, next_out);
+  narrow();
+  ends(l.origin.z, l.direction.z, l.origin_rounding.z, l.direction_rounding.z, l.slack.z, L(4.0),
+       next_in, next_out);
+  narrow();
+  return {slab_root(in), slab_root(out), in.face, out.face};
 }
 
 /// Ball of radius 1 in the directions that `flat` leaves: (1, 1, 1) sphere, (1, 0, 1) cylinder
@@ -101,6 +147,11 @@ Slice<L> ball(Line<L> line, lane::Vec<L> const& flat, L const& face) {
   L const radius = lane::sqrt(lane::dot(near.point, near.point));
   L const c = (radius - one) * (radius + one);
   L const discriminant = b * b - a * c;
+  auto const inside = c <= zero;
+  Root<L> const none_in{lane::select(lane::both(along, inside), -far, far), zero, zero};
+  Root<L> const none_out{lane::select(lane::both(along, inside), far, -far), zero, zero};
+  auto const hit = lane::both(lane::negate(along), zero <= discriminant);
+  if (lane::none(hit)) return {none_in, none_out, face, face};
   Roots<L> const s = roots(a, b, c, discriminant);
   L const half = s.root_of_discriminant;
   L const e =
@@ -111,10 +162,6 @@ Slice<L> ball(Line<L> line, lane::Vec<L> const& flat, L const& face) {
     L const t = near.t + step;
     return Root<L>{t, rounding + L(gamma_bound(2)) * (lane::abs(t) + lane::abs(step)), slack};
   };
-  auto const inside = c <= zero;
-  Root<L> const none_in{lane::select(lane::both(along, inside), -far, far), zero, zero};
-  Root<L> const none_out{lane::select(lane::both(along, inside), far, -far), zero, zero};
-  auto const hit = lane::both(lane::negate(along), zero <= discriminant);
   return {select(hit, make(s.low), none_in), select(hit, make(s.high), none_out), face, face};
 }
 

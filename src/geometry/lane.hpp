@@ -8,7 +8,7 @@
 /// What the kernels compute with: one double, or four side by side. A kernel is written once as a
 /// template over the lane type L and uses only the operators + - * / < <= and the functions below,
 /// so that four lanes give the same bits as four calls with doubles. There are no branches on
-/// values in a kernel: use select().
+/// values in a kernel but those on none(): use select().
 namespace abbe::geometry::lane {
 
 inline bool both(bool a, bool b) {
@@ -18,6 +18,10 @@ inline bool either(bool a, bool b) {
   return a || b;
 }
 inline bool negate(bool a) {
+  return !a;
+}
+/// Is the mask false in every lane? The one thing to branch on: to leave out what no lane selects.
+inline bool none(bool a) {
   return !a;
 }
 inline double select(bool mask, double a, double b) {
@@ -78,6 +82,10 @@ inline Mask4 either(Mask4 const& a, Mask4 const& b) {
 }
 inline Mask4 negate(Mask4 const& a) {
   return {~a.low, ~a.high};
+}
+inline bool none(Mask4 const& a) {
+  auto const both_halves = a.low | a.high;
+  return (both_halves[0] | both_halves[1]) == 0;
 }
 inline Double4 select(Mask4 const& mask, Double4 const& a, Double4 const& b) {
   return {mask.low ? a.low : b.low, mask.high ? a.high : b.high};

@@ -61,6 +61,7 @@ Slice<L> common(Slice<L> const& a, Slice<L> const& b) {
 /// From |sqrt(D + 2 b e) - sqrt(D)| <= 2 b e / max(sqrt(D), sqrt(2 b e)), D = slope^2.
 template <class L>
 L root_motion(L const& e, L const& slope, L const& bend) {
+  if (lane::none(L(0.0) < e)) return L(0.0);
   L const steep = lane::max(lane::abs(slope), lane::sqrt(L(2.0) * lane::abs(bend) * e));
   return lane::select(L(0.0) < e, L(2.0) * e / steep, L(0.0));
 }

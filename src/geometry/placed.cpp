@@ -5,8 +5,9 @@
 
 namespace abbe::geometry {
 
-Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0) {
+Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along_axes_(false) {
   Mat3 const& m = source_.placement.inverse_linear;
+  along_axes_ = m == Mat3(m[0][0], 0, 0, 0, m[1][1], 0, 0, 0, m[2][2]);
   for (int row = 0; row < 3; ++row) {
     int entries = 0;
     double largest = 0;
@@ -27,6 +28,16 @@ Ray Placed::to_object(Ray const& world) const {
   Transform const& at = source_.placement;
   Vec3 const from_here = world.origin - at.offset;
   Ray ray;
+  if (along_axes_) { // the same bits with a third of the work
+    Vec3 const scale(at.inverse_linear[0][0], at.inverse_linear[1][1], at.inverse_linear[2][2]);
+    Vec3 const size(size_[0][0], size_[1][1], size_[2][2]);
+    ray.origin = scale * from_here;
+    ray.direction = scale * world.direction;
+    ray.origin_error = size * world.origin_error;
+    ray.origin_rounding = size * (rounding * (glm::abs(from_here) + glm::abs(at.offset)));
+    ray.direction_rounding = size * (rounding * glm::abs(world.direction));
+    return ray;
+  }
   ray.origin = at.inverse_linear * from_here;
   ray.direction = at.inverse_linear * world.direction;
   ray.origin_error = size_ * world.origin_error;

@@ -31,6 +31,7 @@ public:
 private:
   PlacedShape source_;
   Mat3 size_;
+  bool along_axes_; ///< inverse_linear is diagonal
 };
 
 } // namespace abbe::geometry

@@ -30,6 +30,17 @@ Bounds hull(Bounds const& a, Bounds const& b) {
 
 } // namespace
 
+namespace {
+
+bool merges_primitives(CsgTree const& tree) {
+  if (tree.inverse) return false;
+  if (tree.op == CsgTree::Op::Primitive) return true;
+  return tree.op == CsgTree::Op::Merge
+         && std::all_of(tree.children.begin(), tree.children.end(), merges_primitives);
+}
+
+} // namespace
+
 Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
   if (tree.inverse) return all_space();
   if (tree.op == CsgTree::Op::Primitive) return primitives[tree.primitive].bounds();
@@ -72,9 +83,10 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
     }
   }
   operand_bvh_ = Bvh(boxes);
+  merge_ = always_.empty() && merges_primitives(source.tree);
 }
 
-void TracedSolid::gather_operands(Query const& query) const {
+void TracedSolid::gather_operands(Query const& query, bool all) const {
   auto const& operands = program_->operands();
   auto const take = [&](std::uint32_t operand) {
     std::size_t const before = query.scratch.events.size();
@@ -93,13 +105,62 @@ void TracedSolid::gather_operands(Query const& query) const {
   };
   for (std::uint32_t const operand : always_) take(operand);
   if (finite_.empty()) return;
-  double const to = everywhere;
+  // Behind the start, an operand's crossings leave it outside: as if there were none.
+  double const to = all ? everywhere : query.until;
   walk(std::span<BvhNode const>(operand_bvh_.nodes()),
-       std::span<std::uint32_t const>(operand_bvh_.items()), BoxProbe(query.ray), -everywhere, to,
+       std::span<std::uint32_t const>(operand_bvh_.items()),
+       BoxProbe(query.ray, query.ray.origin_error), all ? -everywhere : 0.0, to,
        [&](std::uint32_t item) {
          take(finite_[item]);
          return true;
        });
+}
+
+/// The operands of a merge that may be met up to the first way in. `to`: how far they are complete.
+/// @return false when the start is inside: then the way out is what counts
+bool TracedSolid::gather_nearest(Query const& query, double& to) const {
+  auto& events = query.scratch.events;
+  auto const& operands = program_->operands();
+  bool inside = false;
+  auto const take = [&](std::uint32_t operand) {
+    std::size_t const first = events.size();
+    gather(query, operands[operand], operand, false);
+    auto const begin = events.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, events.end(), [](Event const& a, Event const& b) { return a.t < b.t; });
+    std::size_t next = first; // the first event after the start
+    for (std::size_t i = first; i < events.size(); ++i) {
+      if (events[i].at_start || !(events[i].t > 0)) next = i + 1;
+    }
+    // Ways in and out alternate: inside when what comes next leads out.
+    for (; next < events.size() && !events[next].toggles; ++next) {
+    }
+    if (next == events.size()) return true;
+    Event const& event = events[next];
+    inside = !event.entering;
+    // Room for other crossings in the same group.
+    if (event.visible) to = std::min(to, event.t + 8 * event.error);
+    return !inside;
+  };
+  double const start = 0;
+  if (to > query.until) to = query.until;
+  walk(std::span<BvhNode const>(operand_bvh_.nodes()),
+       std::span<std::uint32_t const>(operand_bvh_.items()),
+       BoxProbe(query.ray, query.ray.origin_error), start, to,
+       [&](std::uint32_t item) { return take(finite_[item]); });
+  return !inside;
+}
+
+void TracedSolid::sort_events(Query const& query) const {
+  auto& events = query.scratch.events;
+  std::sort(events.begin(), events.end(), [](Event const& a, Event const& b) {
+    if (a.t != b.t) return a.t < b.t;
+    if (a.operand != b.operand) return a.operand < b.operand;
+    return a.face < b.face;
+  });
+  // The last one written is that of the first crossing.
+  for (std::size_t i = events.size(); i-- > 0;) {
+    if (events[i].toggles) program_->set(*query.state, events[i].operand, !events[i].entering);
+  }
 }
 
 /// Applies what is up to the start, and puts it in front. @return the first event after it

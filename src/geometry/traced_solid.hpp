@@ -63,10 +63,20 @@ private:
   /// The short way of ConvexCut. @return how many passages were taken, or `all_taken`
   template <class Take>
   std::size_t convex(Query const& query, Take& take) const;
+  /// The short way of a merge that is met from outside: only operands up to the first way in are
+  /// looked at. @return as convex()
+  template <class Take>
+  std::size_t nearest(Query const& query, Take& take) const;
   static constexpr std::size_t all_taken = static_cast<std::size_t>(-1);
   template <class Take>
   bool boolean(Query const& query, bool all, Take& take) const;
-  void gather_operands(Query const& query) const;
+  /// Groups of the sorted events from `next` on; false when one reaches beyond `to`.
+  template <class Take>
+  bool groups(Query const& query, std::size_t next, double to, Take& take) const;
+  void gather_operands(Query const& query, bool all) const;
+  bool gather_nearest(Query const& query, double& to) const;
+  /// Sorts, and puts the state to that at t = -infinity.
+  void sort_events(Query const& query) const;
   std::size_t pass_start(Query const& query) const;
   bool apply_group(Query const& query, std::size_t first, std::size_t last, Passage& passage) const;
   bool patch_in_group(Query const& query, std::size_t first, std::size_t last,
@@ -77,6 +87,7 @@ private:
   std::uint8_t mask_;
   PrimitiveId only_ = 0; ///< without a program: the one primitive
   bool inverse_ = false;
+  bool merge_ = false; ///< of primitives alone, and with a hierarchy
   std::unique_ptr<CsgProgram const> program_;
   std::unique_ptr<ConvexCut const> cut_; ///< when the tree is of its kind
   Bounds bounds_;
@@ -93,8 +104,8 @@ template <class Take>
 bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
   query.scratch.events.clear();
   if (!program_) return single(query, all, take);
-  if (all || !cut_) return boolean(query, all, take);
-  std::size_t taken = convex(query, take);
+  if (all || !(cut_ || merge_)) return boolean(query, all, take);
+  std::size_t taken = cut_ ? convex(query, take) : nearest(query, take);
   if (taken == all_taken) return false;
   // What the short way could not tell, the general way does from the start.
   query.scratch.events.clear();
@@ -175,29 +186,49 @@ bool TracedSolid::single(Query const& query, bool all, Take& take) const {
 }
 
 template <class Take>
+std::size_t TracedSolid::nearest(Query const& query, Take& take) const {
+  double to = everywhere;
+  if (!gather_nearest(query, to)) return 0;
+  if (query.scratch.events.empty()) return all_taken;
+  sort_events(query);
+  std::size_t taken = 0;
+  auto const counted = [&](Passage const& passage) {
+    ++taken;
+    return take(passage);
+  };
+  std::size_t const next = pass_start(query);
+  bool const done = !query.state->value && groups(query, next, to, counted);
+  restore(query);
+  return done ? all_taken : taken;
+}
+
+template <class Take>
 bool TracedSolid::boolean(Query const& query, bool all, Take& take) const {
-  gather_operands(query);
-  auto& events = query.scratch.events;
-  std::sort(events.begin(), events.end(), [](Event const& a, Event const& b) {
-    if (a.t != b.t) return a.t < b.t;
-    if (a.operand != b.operand) return a.operand < b.operand;
-    return a.face < b.face;
-  });
-  // The state at -infinity: the last one written is that of the first crossing.
-  for (std::size_t i = events.size(); i-- > 0;) {
-    if (events[i].toggles) program_->set(*query.state, events[i].operand, !events[i].entering);
-  }
-  std::size_t next = all ? 0 : pass_start(query);
+  gather_operands(query, all);
+  sort_events(query);
+  std::size_t const next = all ? 0 : pass_start(query);
   bool const before = query.state->value;
+  groups(query, next, everywhere, take);
+  restore(query);
+  return before;
+}
+
+template <class Take>
+bool TracedSolid::groups(Query const& query, std::size_t next, double to, Take& take) const {
+  auto& events = query.scratch.events;
   while (next < events.size()) {
     std::size_t last = next + 1;
+    double begin = events[next].t - events[next].error;
     double end = events[next].t + events[next].error;
     bool mixed = false;
     while (last < events.size() && events[last].t - events[last].error <= end) {
       mixed = mixed || events[last].primitive != events[next].primitive;
+      begin = std::min(begin, events[last].t - events[last].error);
       end = std::max(end, events[last].t + events[last].error);
       ++last;
     }
+    if (begin - (end - begin) > query.until) return true; // whichever member is shown
+    if (end > to) return false;
     std::size_t const step = mixed ? last - next : 1;
     for (; next < last; next += step) {
       Passage passage;
@@ -205,14 +236,10 @@ bool TracedSolid::boolean(Query const& query, bool all, Take& take) const {
       passage.last = next + step;
       if (!apply_group(query, next, next + step, passage)) continue;
       passage.crossing.solid = id_;
-      if (!take(passage)) {
-        restore(query);
-        return before;
-      }
+      if (!take(passage)) return true;
     }
   }
-  restore(query);
-  return before;
+  return !(to < query.until);
 }
 
 } // namespace abbe::geometry
