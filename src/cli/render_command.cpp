@@ -116,12 +116,15 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
   return 2;
 }
 
-void describe(image::Image& image, Arguments const& arguments, plan::Plan const& plan) {
-  image.metadata = {{"Software", fmt::format("abbe {}", ABBE_VERSION)},
-                    {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
-                    {"Plan", plan::describe(plan)},
-                    {"Seed", fmt::format("{}", arguments.options.seed)},
-                    {"AntiAliasing", arguments.anti_aliasing}};
+void describe(render::RenderResult& result, Arguments const& arguments, plan::Plan const& plan) {
+  result.image.metadata = {
+      {"Software", fmt::format("abbe {}", ABBE_VERSION)},
+      {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
+      {"Plan", plan::describe(plan)},
+      {"Seed", fmt::format("{}", arguments.options.seed)},
+      {"AntiAliasing", arguments.anti_aliasing},
+      {"MissingLight", fmt::format("at most {:.3g}, in no sample more than {:.3g}",
+                                   result.missing_mean, result.missing_most)}};
 }
 
 int render_scene(Arguments& arguments) {
@@ -154,7 +157,7 @@ int render_scene(Arguments& arguments) {
     fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
     return 130;
   }
-  describe(result.image, arguments, *plan);
+  describe(result, arguments, *plan);
   auto const written = image::write(result.image, arguments.output, write_options(arguments));
   if (!written) return fail(written.error(), 3);
   if (!arguments.scene.quiet) {

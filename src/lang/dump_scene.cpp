@@ -114,7 +114,8 @@ private:
     line(
         "settings version {} adc_bailout {} max_trace_level {} ambient_light {} noise_generator {} "
         "assumed_gamma {}",
-        text(s.version), text(s.adc_bailout), s.max_trace_level, text(s.ambient_light),
+        text(s.version), s.adc_bailout ? text(*s.adc_bailout) : "unset",
+        s.max_trace_level ? std::to_string(*s.max_trace_level) : "unset", text(s.ambient_light),
         s.noise_generator,
         s.assumed_gamma_srgb ? "srgb"
         : s.assumed_gamma    ? text(*s.assumed_gamma)

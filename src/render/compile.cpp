@@ -42,6 +42,41 @@ void compile_sky(scene::Scene const& scene, PigmentCompiler& pigments, ColourCom
   stage.to_sky_offset = scene.sky_sphere->placement.inverse_offset;
 }
 
+/// Throughput below which a path is dropped when the scene does not say: a pixel loses some ten
+/// such paths at most in all but contrived scenes, so less than 1e-4 of white.
+constexpr double default_bailout = 1e-5;
+/// Ends what never fades: mirrors face to face, light that is trapped in glass.
+constexpr int default_level = 256;
+
+void set_limits(scene::Settings const& settings, Stage& stage) {
+  bool const given = settings.adc_bailout || settings.max_trace_level;
+  stage.adc_bailout = settings.adc_bailout.value_or(given ? 1.0 / 255 : default_bailout);
+  stage.max_trace_level = settings.max_trace_level.value_or(given ? 5 : default_level);
+}
+
+double largest(Channels const& channels) {
+  return channels.empty() ? 0 : *std::max_element(channels.begin(), channels.end());
+}
+
+/// What a surface or the sky can send at most, when surfaces do not pass on more than arrives:
+/// light from behind is then weighted by what the surface in front leaves.
+double brightest(Stage const& stage) {
+  double lamps = 0;
+  for (auto const& light : stage.lights)
+    lamps += largest(light.value) * (light.fade_power > 0 && light.fade_distance != 0 ? 2 : 1);
+  double surface = 0;
+  for (auto const& layer : stage.layers) {
+    CompiledFinish const& finish = layer.finish;
+    double const scattered = std::max(finish.diffuse, finish.diffuse_back);
+    surface = std::max(surface, largest(finish.ambient) + largest(finish.emission)
+                                    + lamps * (scattered + finish.phong + finish.specular));
+  }
+  double pigment = 1;
+  for (auto const& each : stage.pigments) pigment = std::max(pigment, each.colour.maximum);
+  double const sky = stage.sky_pigments.empty() ? 0 : largest(stage.sky_emission);
+  return std::max({pigment * surface, pigment * sky, largest(stage.background)});
+}
+
 } // namespace
 
 Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
@@ -56,8 +91,7 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
     stage.rgb_weights = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   }
   stage.camera = scene.camera;
-  stage.adc_bailout = scene.settings.adc_bailout;
-  stage.max_trace_level = scene.settings.max_trace_level;
+  set_limits(scene.settings, stage);
   stage.opacity_version = scene.settings.version;
 
   PigmentCompiler pigments(colours, stage.pigments);
@@ -66,6 +100,7 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   for (auto const& light : scene.lights)
     stage.lights.push_back(compile_light(light, scene.camera.location, colours));
   compile_sky(scene, pigments, colours, stage);
+  stage.brightest = brightest(stage);
   return stage;
 }
 

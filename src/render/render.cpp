@@ -52,7 +52,15 @@ public:
       for_each_pixel(
           [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.centre(x, y)); }, 0, 1);
     }
-    for (auto const& tracer : tracers_) result_.counts.add(tracer.counts());
+    CutLight cut;
+    for (auto const& tracer : tracers_) {
+      result_.counts.add(tracer.counts());
+      cut.add(tracer.cut_light());
+    }
+    double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
+    result_.missing_mean =
+        static_cast<double>(cut.sum) * CutLight::unit / samples * stage_.brightest;
+    result_.missing_most = cut.worst_sample * stage_.brightest;
     result_.interrupted = stopped();
     if (!stage_.bands && !space_.is_linear())
       for (auto& value : result_.image.rgb) value = static_cast<float>(space_.to_linear(value));

@@ -47,6 +47,10 @@ struct RenderOptions {
 struct RenderResult {
   image::Image image;
   RayCounts counts;
+  /// Bounds of the light that is missing where paths end, in units of the picture's values
+  /// (1: white): the mean of all samples, and of the sample that misses most. For surfaces that
+  /// pass on no more than arrives.
+  double missing_mean = 0, missing_most = 0;
   bool interrupted = false;
 };
 

@@ -131,8 +131,11 @@ struct Stage {
   Mat3 to_sky_linear{1};
   Vec3 to_sky_offset{0};
   scene::Camera camera; ///< location is the origin of the stage
+  /// A ray with no lane above this throughput is dropped, and one below this level. What that takes
+  /// away at most is summed up (CutLight).
   double adc_bailout = 1.0 / 255;
   int max_trace_level = 5;
+  double brightest = 0;         ///< no path returns more: bound of the radiance, any channel
   double opacity_version = 3.7; ///< < 3.7: POV-Ray's older rule of opacity
   bool has_filter_shadows = false;
   std::vector<Vec3> rgb_weights; ///< colour of one unit of each channel

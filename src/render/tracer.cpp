@@ -20,6 +20,12 @@ void RayCounts::add(RayCounts const& other) {
   shadow += other.shadow;
 }
 
+void CutLight::add(CutLight const& other) {
+  paths += other.paths;
+  sum += other.sum;
+  worst_sample = std::max(worst_sample, other.worst_sample);
+}
+
 Tracer::Tracer(Stage const& stage)
     : stage_(stage), scratch_(geometry::World::make_scratch()), waves_(stage), film_(stage) {
   auto const n = static_cast<std::size_t>(stage.channels);
@@ -45,8 +51,21 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
   if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
     path.inside = inside_at(ray.origin);
   ++counts_.camera;
+  cut_here_ = 0;
   trace(path, beam);
+  cut_.worst_sample = std::max(cut_.worst_sample, cut_here_);
+  // A sample that loses more than this has lost everything many times over.
+  constexpr double most = 0x1p16;
+  cut_.sum += static_cast<std::uint64_t>(std::ceil(std::min(cut_here_, most) / CutLight::unit));
   return film_.resolve(waves_, bands);
+}
+
+void Tracer::cut(double const* throughput, int lanes) {
+  double sum = 0;
+  for (int k = 0; k < lanes; ++k) sum += throughput[k];
+  if (sum == 0) return;
+  ++cut_.paths;
+  cut_here_ += sum / stage_.channels;
 }
 
 Tracer::Frame& Tracer::frame(int depth) {
@@ -143,7 +162,7 @@ void Tracer::absorb(Beam& beam, Medium const& medium, double distance) {
 }
 
 void Tracer::trace(PathRay const& ray, Beam const& incoming) {
-  if (ray.level >= stage_.max_trace_level) return;
+  if (ray.level >= stage_.max_trace_level) return cut(incoming.throughput, incoming.lanes);
   ++depth_;
   Frame& here = frame(depth_);
   if (!stage_.world->closest(ray.line, ray.from, ray.mask, std::numeric_limits<double>::infinity(),

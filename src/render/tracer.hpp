@@ -36,6 +36,16 @@ struct RayCounts {
   std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
 };
 
+/// Light that was dropped where paths end (Stage::adc_bailout, max_trace_level), as throughput: its
+/// product with Stage::brightest bounds what is missing. Sums are integers: the same for any order.
+struct CutLight {
+  static constexpr double unit = 0x1p-32;
+  std::uint64_t paths = 0;
+  std::uint64_t sum = 0;   ///< of all samples, in units, rounded up once a sample
+  double worst_sample = 0; ///< throughput, mean of the channels
+  void add(CutLight const& other);
+};
+
 /// Traces the paths of camera samples; one per thread. Throughput is carried from the camera on, so
 /// that a path that can add nothing more is dropped, and light is added to the sample's film where
 /// it is met.
@@ -47,6 +57,7 @@ public:
   Vec3 sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands);
 
   RayCounts const& counts() const { return counts_; }
+  CutLight const& cut_light() const { return cut_; }
 
 private:
   friend class Shader;
@@ -57,6 +68,8 @@ private:
 
   // tracer.cpp
   void trace(PathRay const& ray, Beam const& beam);
+  /// Notes a beam that is not followed.
+  void cut(double const* throughput, int lanes);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
   InsideNode const* after_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
@@ -96,6 +109,8 @@ private:
   InsideNode const* camera_inside_ = nullptr;
   Arena camera_arena_;
   RayCounts counts_;
+  CutLight cut_;
+  double cut_here_ = 0; ///< of the current sample
 };
 
 } // namespace abbe::render

@@ -159,7 +159,8 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
     }
     mirrored.throughput[k] = beam.throughput[k] * weight;
   }
-  if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout)) return;
+  if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout))
+    return cut(mirrored.throughput, beam.lanes);
   if (face.splits) {
     Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
     if (governing.jitter >= 0) mirrored = jittered(mirrored, governing.jitter);
@@ -203,7 +204,8 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
     double const through = face.total[k] ? 0 : unasked ? face.transmittance[k] : 1;
     passed.throughput[k] = beam.throughput[k] * surface.passed[k] * through;
   }
-  if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout)) return;
+  if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout))
+    return cut(passed.throughput, beam.lanes);
   frame.through.on = frame.hit.members;
   frame.through.through = true;
   if (face.splits) return split(ray, passed, frame, face, after);
@@ -225,7 +227,10 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
   Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
   bool const first = !beam.monochromatic() && beam.lanes == stage_.channels;
   for (int k = 0; k < beam.lanes; ++k) {
-    if (!(beam.throughput[k] > stage_.adc_bailout)) continue;
+    if (!(beam.throughput[k] > stage_.adc_bailout)) {
+      cut(beam.throughput + k, 1);
+      continue;
+    }
     Arena::Scope const scope(arena_);
     // One lane of the beam, on the film where its kind of wavelength is added up.
     Beam lane = beam;

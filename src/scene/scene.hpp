@@ -172,8 +172,10 @@ struct SpectralSettings {
 };
 
 struct Settings {
-  double adc_bailout = 1.0 / 255;
-  int max_trace_level = 5;
+  /// Where paths end. Neither given: where what they can still add is below a bound (render).
+  /// One given: POV-Ray's meaning, and its default (1/255, 5) of the other.
+  std::optional<double> adc_bailout;
+  std::optional<int> max_trace_level;
   Colour ambient_light{Vec3(1), 0, 0, nullptr};
   /// nullopt: not given (then 1 for version >= 3.7, no encoding at all below).
   std::optional<double> assumed_gamma;
