@@ -9,7 +9,10 @@ namespace abbe::lang {
 void transform_layers(scene::Layers&, geometry::Transform const&);
 /// Gives a layer another pigment, which stays where it is if the layer was moved before.
 void set_pigment(scene::Texture& layer, scene::Pigment pigment);
-/// Takes `pigment {}` or `finish {}` (which start from the default ones) when one is next.
+/// Reads on in a pigment that stands in a texture. A plain colour was moved by `moved`, which shows
+/// when it is given a pattern.
+void read_pigment_of_texture(Reader&, scene::Pigment&, geometry::Transform const& moved);
+/// Takes `pigment {}` or `finish {}`, which change what the layer has, when one is next.
 bool read_texture_part(Reader&, scene::Texture& layer);
 
 /// What an object or a material has on its surface and inside.

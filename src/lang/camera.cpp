@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -34,6 +37,13 @@ double read_angle(Reader& in) {
   return 60;
 }
 
+/// Of these the other items mean something else.
+bool is_projection(std::string_view word) {
+  constexpr std::string_view words[] = {"fisheye",   "mesh_camera", "omnimax",
+                                        "panoramic", "spherical",   "ultra_wide_angle"};
+  return std::ranges::find(words, word) != std::end(words);
+}
+
 bool read_kind(Reader& in, Camera& camera) {
   if (in.accept("perspective")) {
     camera.kind = Camera::Kind::Perspective;
@@ -42,7 +52,7 @@ bool read_kind(Reader& in, Camera& camera) {
   } else if (in.next_word() == "cylinder") {
     in.report(Severity::Error, "E0901", "'cylinder' in a camera is not supported yet",
               in.next_span());
-    in.skip();
+    skip_rest(in);
   } else {
     return false;
   }
@@ -85,13 +95,13 @@ void aim(Reader& in, Draft& draft) {
   Vec3 const side = glm::cross(draft.sky, ahead);
   double const width = glm::length(side);
   // The rounding error of a cross product of unit vectors.
-  if (width <= gamma_bound(4) * glm::length(draft.sky)) {
-    in.report(Severity::Warning, "E0352",
-              "the camera looks along 'sky': 'right' and 'up' stay as they are", camera.span);
-    camera.direction = ahead * glm::length(camera.direction);
-    return;
+  bool const along_sky = width <= gamma_bound(4) * glm::length(draft.sky);
+  if (along_sky) {
+    in.report(Severity::Warning, "E0352", "the camera looks along 'sky': 'right' stays as it is",
+              camera.span);
   }
-  Vec3 const right = side / width;
+  Vec3 const right = along_sky ? camera.right * ((left_handed ? 1 : -1) / glm::length(camera.right))
+                               : side / width;
   camera.direction = ahead * glm::length(camera.direction);
   camera.up = glm::cross(ahead, right) * glm::length(camera.up);
   camera.right = right * ((left_handed ? 1 : -1) * glm::length(camera.right));
@@ -150,8 +160,10 @@ scene::Camera read_camera(Reader& in) {
     while (!in.at_end()) {
       if (in.accept("angle"))
         draft.angle_deg = read_angle(in);
-      else if (!read_kind(in, draft.camera) && !read_vectors(in, draft)
-               && !read_transform(in, draft.transform))
+      else if (is_projection(in.next_word())) {
+        skip_rest_if_unsupported(in);
+      } else if (!read_kind(in, draft.camera) && !read_vectors(in, draft)
+                 && !read_transform(in, draft.transform))
         reject(in, "a camera item");
     }
     work_in(in, draft);

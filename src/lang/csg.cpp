@@ -35,6 +35,13 @@ void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
       child.span);
 }
 
+/// Lights are no operands.
+void add(Object& object, Object&& child) {
+  bool const light = child.kind == Object::Kind::Union && child.children.empty();
+  if (light) object.lights.insert(object.lights.end(), child.lights.begin(), child.lights.end());
+  if (!light || child.lights.empty()) object.children.push_back(std::move(child));
+}
+
 /// A block that is neither an object nor a modifier: most likely a misspelt object.
 bool is_unknown_block(Reader& in) {
   if (in.next() != Next::Block) return false;
@@ -54,12 +61,7 @@ scene::Object read_csg(Reader& in, Object::Kind kind) {
   while (!in.at_end()) {
     if (auto child = accept_object(in)) {
       warn_about_patch(in, kind, *child);
-      object.children.push_back(std::move(*child));
-    } else if (in.open("light_source")) {
-      object.lights.push_back(read_light(in));
-      in.close();
-    } else if (auto light = in.accept_value<scene::Light>()) {
-      object.lights.push_back(*light);
+      add(object, std::move(*child));
     } else if (in.next() == Next::Block && skip_unsupported(in)) {
       failed = true;
     } else if (is_unknown_block(in)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,7 @@ bool read_kind(Reader& in, Light& light) {
     kind = Light::Kind::Parallel;
   } else if (in.next_word() == "cylinder") {
     in.report(Severity::Error, "E0901", "'cylinder' in a light_source is not supported yet", at);
-    in.skip();
-    light.kind = Light::Kind::Spot; // what follows is written as for a spotlight
+    skip_rest(in);
     return true;
   } else {
     return false;
@@ -47,9 +47,9 @@ bool reject_area(Reader& in) {
 double read_angle(Reader& in, std::string_view name) {
   Span const at = in.next_span();
   double const degrees = in.number(name);
-  if (degrees >= 0 && degrees <= 180) return degrees;
+  if (degrees >= -360 && degrees <= 360) return degrees;
   in.report(Severity::Error, "E0353",
-            fmt::format("a spotlight's {} must be 0 to 180 degrees, not {}", name, degrees), at);
+            fmt::format("a spotlight's {} must be within 360 degrees, not {}", name, degrees), at);
   return 45;
 }
 

@@ -73,6 +73,24 @@ Object read_wrapped(Reader& in) {
 
 } // namespace
 
+namespace {
+
+/// A light can stand wherever an object can.
+Object light_object(scene::Light light) {
+  Object object = nothing(light.span);
+  object.lights.push_back(std::move(light));
+  return object;
+}
+
+Object only_light(Reader& in) {
+  in.open_any();
+  Object object = light_object(read_light(in));
+  in.close();
+  return object;
+}
+
+} // namespace
+
 bool is_object_head(std::string_view head) {
   return head == "object" || csg_kind(head) || find_shape(head);
 }
@@ -103,12 +121,14 @@ std::optional<scene::Object> accept_object(Reader& in) {
   if (in.next() == Next::Block) {
     // The reader forgets the word when the block opens: keep it.
     std::string const head(in.next_word());
+    if (head == "light_source") return only_light(in);
     if (!is_object_head(head) || !in.open_any()) return std::nullopt;
     Object object = read_object(in, head);
     in.close();
     return object;
   }
   if (auto named = in.accept_value<Object>()) return *named;
+  if (auto light = in.accept_value<scene::Light>()) return light_object(*light);
   return std::nullopt;
 }
 

@@ -9,13 +9,16 @@ using scene::Object;
 
 void read_objects(Reader& in, std::vector<Object>& into, std::string_view where) {
   std::size_t const before = into.size();
+  bool rejected = false;
   while (!in.at_end()) {
     if (auto object = accept_object(in))
       into.push_back(std::move(*object));
-    else
+    else {
       reject(in, "an object");
+      rejected = true;
+    }
   }
-  if (into.size() == before)
+  if (into.size() == before && !rejected)
     in.report(Severity::Error, "E0250", std::string(where) + " holds no object", in.block_span());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "lang/blocks.hpp"
+#include "lang/attach.hpp"
+#include "lang/unsupported.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -31,6 +32,7 @@ std::shared_ptr<Pigment const> plain(scene::Colour colour) {
 struct Draft {
   Pigment& pigment;
   std::unique_ptr<PatternInstance> instance; ///< the pattern, open for changes
+  geometry::Transform moved; ///< transforms of a plain colour: a pattern given to it later has them
 
   explicit Draft(Pigment& target) : pigment(target) { load(); }
   void load() {
@@ -91,6 +93,7 @@ bool read_pattern(Reader& in, Draft& draft) {
   if (!kind || !in.accept(kind->keyword)) return false;
   if (!draft.instance) {
     draft.instance = std::make_unique<PatternInstance>();
+    if (!draft.moved.identity()) append(*draft.instance, draft.moved);
     draft.instance->modifiers.noise_generator =
         scene_state(in.interpreter()).default_noise_generator;
   }
@@ -131,11 +134,15 @@ bool read_map(Reader& in, Draft& draft) {
 bool read_other(Reader& in, Draft& draft) {
   geometry::Transform transform;
   if (read_transform(in, transform)) {
-    if (draft.instance) append(*draft.instance, transform);
+    if (draft.instance)
+      append(*draft.instance, transform);
+    else
+      draft.moved = draft.moved.then(transform);
   } else if (in.accept("quick_color") || in.accept("quick_colour")) {
     read_colour(in, "quick_color"); // only for POV-Ray's lowest qualities
   } else if (auto named = in.accept_value<Pigment>()) {
     draft.pigment = *named;
+    draft.moved = {};
     draft.load();
   } else if (auto colour = accept_colour(in)) {
     draft.pigment.colour = *colour;
@@ -148,16 +155,38 @@ bool read_other(Reader& in, Draft& draft) {
   return true;
 }
 
+/// `function { }` and `object { }` stand for patterns that are not supported yet.
+bool reject_other_pattern(Reader& in) {
+  Span const at = in.next_span();
+  Value const* const value = in.identifier();
+  bool const function = value && std::holds_alternative<std::shared_ptr<FunctionValue>>(value->any);
+  bool const object = in.next() == Next::Block && in.next_word() == "object";
+  if (!function && !object) return false;
+  report_unsupported(in, function ? "function" : "object", at);
+  skip_rest(in);
+  return true;
+}
+
 } // namespace
 
 void read_pigment(Reader& in, Pigment& pigment) {
+  read_pigment_of_texture(in, pigment, {});
+}
+
+void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform const& moved) {
   pigment.span = in.block_span();
   Span const span = pigment.span;
   Draft draft(pigment);
+  draft.moved = moved;
+  bool rejected = false;
   while (!in.at_end()) {
     if (read_pattern(in, draft) || read_modifier(in, draft) || read_map(in, draft)
         || read_other(in, draft))
       continue;
+    if (skip_rest_if_unsupported(in) || reject_other_pattern(in)) {
+      rejected = true;
+      break;
+    }
     // Asking for them makes them what "did you mean" offers.
     for (auto const& kind : texture::pattern_kinds()) in.accept(kind.keyword);
     reject(in, "a pigment item");
@@ -169,7 +198,8 @@ void read_pigment(Reader& in, Pigment& pigment) {
     pigment.default_entries = true;
   }
   if (!draft.instance && !pigment.entries.empty()) {
-    in.report(Severity::Error, "E0250", "this pigment has a map but no pattern", span);
+    if (!rejected)
+      in.report(Severity::Error, "E0250", "this pigment has a map but no pattern", span);
     pigment.entries.clear();
   }
 }

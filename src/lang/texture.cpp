@@ -23,7 +23,8 @@ namespace {
 bool reject_patterned(Reader& in) {
   std::string_view const word = in.next_word();
   bool const pattern = std::ranges::any_of(texture::pattern_kinds(),
-                                           [&](auto const& kind) { return kind.keyword == word; });
+                                           [&](auto const& kind) { return kind.keyword == word; })
+                       || word == "object";
   if (!pattern) return false;
   in.report(
       Severity::Error, "E0901",
@@ -55,15 +56,15 @@ bool read_named(Reader& in, scene::Layers& layers, bool first) {
 
 bool read_texture_part(Reader& in, scene::Texture& layer) {
   if (in.open("pigment")) {
-    scene::Pigment pigment = scene_state(in.interpreter()).default_texture.pigment;
-    read_pigment(in, pigment);
+    bool const plain = !layer.pigment.pattern;
+    transform_pigment(layer.pigment, layer.placement);
+    read_pigment_of_texture(in, layer.pigment, plain ? layer.placement : geometry::Transform{});
     in.close();
-    set_pigment(layer, std::move(pigment));
+    // Where the layer was moved to stands in its pattern now.
+    if (!plain || layer.pigment.pattern) layer.placement = {};
   } else if (in.open("finish")) {
-    scene::Finish finish = scene_state(in.interpreter()).default_texture.finish;
-    read_finish(in, finish);
+    read_finish(in, layer.finish);
     in.close();
-    layer.finish = std::move(finish);
   } else {
     return false;
   }

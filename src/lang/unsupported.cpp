@@ -49,6 +49,16 @@ bool skip_unsupported(Reader& in) {
   return true;
 }
 
+void skip_rest(Reader& in) {
+  while (!in.at_end()) in.skip();
+}
+
+bool skip_rest_if_unsupported(Reader& in) {
+  if (!skip_unsupported(in)) return false;
+  skip_rest(in);
+  return true;
+}
+
 void reject(Reader& in, std::string_view where) {
   if (!skip_unsupported(in)) in.unexpected(where);
 }

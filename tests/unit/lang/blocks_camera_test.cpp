@@ -67,6 +67,15 @@ TEST(Camera, TransformsActOnTheFinishedCamera) {
   expect_near(c.right, Vec3(0, 0, -1.33), rounding);
 }
 
+TEST(Camera, LookingAlongSkyKeepsRight) {
+  auto const e = evaluate("camera { location 5*y look_at 0 }");
+  EXPECT_EQ(e.diagnostics.size(), 1u);
+  EXPECT_TRUE(e.ok());
+  expect_near(e.scene.camera.direction, Vec3(0, -1, 0), rounding);
+  expect_near(e.scene.camera.right, Vec3(1.33, 0, 0), rounding);
+  expect_near(e.scene.camera.up, Vec3(0, 0, 1), rounding);
+}
+
 TEST(Camera, ACopyTakesTransformsOnly) {
   auto const c =
       scene_of("#declare C = camera { location -5*z look_at 0 } camera { C translate y }").camera;
@@ -79,7 +88,7 @@ TEST(Camera, DegenerateOnesAreErrors) {
   EXPECT_EQ(codes("camera { right 0*x }"), "E0352");
   EXPECT_EQ(codes("camera { up x }"), "E0352");
   EXPECT_EQ(codes("camera { angle 180 }"), "E0353");
-  EXPECT_EQ(codes("camera { fisheye angle 100 }"), "E0901");
+  EXPECT_EQ(codes("camera { fisheye angle 360 }"), "E0901");
 }
 
 TEST(Camera, TheLastOneIsUsed) {

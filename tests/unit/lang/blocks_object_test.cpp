@@ -41,14 +41,38 @@ TEST(Object, TexturesMoveWithTransformsAfterThem) {
   expect_near(s.objects[2].texture->front().placement.point(Vec3(0)), Vec3(1, 1, 0), 0);
 }
 
-TEST(Object, APigmentWrittenAfterATransformStays) {
-  // Checkers differ between neighbouring cells: the pigment must not have moved by x.
+TEST(Object, APatternGivenToAColourThatWasMovedIsMovedToo) {
+  // As in POV-Ray (looked at: a box with texture { pigment { rgb 1 } scale 3 } pigment { gradient x
+  // } shows the gradient three times as wide). The first cell of the checker has moved by x.
   auto const s =
       scene_of("sphere { 0, 1 texture { finish { ambient 1 } } translate x pigment { checker } }");
   scene::Texture const& t = s.objects[0].texture->front();
   Vec3 const inside_first_cell(0.5, 0.5, 0.5);
   Vec3 const there = t.placement.inverse().point(inside_first_cell);
-  EXPECT_EQ(t.pigment.pattern->evaluate(there), 0);
+  EXPECT_EQ(t.pigment.pattern->evaluate(there), 1);
+}
+
+TEST(Object, APigmentOrFinishChangesWhatTheTextureHas) {
+  // Each case was rendered by POV-Ray 3.7.0.10.
+  auto const s =
+      scene_of("#declare T = texture { pigment { rgb 0.2 } finish { ambient 0.5 diffuse 0 } }\n"
+               "#declare G = texture { pigment { gradient x } scale 3 }\n"
+               "sphere { 0, 1 texture { T } finish { phong 1 } }\n"
+               "sphere { 0, 1 texture { T finish { phong 1 } pigment { } } }\n"
+               "sphere { 0, 1 texture { G } pigment { scale 2 } }\n"
+               "sphere { 0, 1 texture { G } pigment { gradient y } }");
+  for (int i = 0; i < 2; ++i) {
+    scene::Texture const& t = s.objects[static_cast<std::size_t>(i)].texture->front();
+    EXPECT_EQ(t.finish.ambient.rgb, Vec3(0.5));
+    EXPECT_EQ(t.finish.phong, 1);
+    EXPECT_EQ(t.pigment.colour.rgb, Vec3(0.2));
+  }
+  auto const value = [&](std::size_t i, Vec3 const& at) {
+    scene::Texture const& t = s.objects[i].texture->front();
+    return t.pigment.pattern->evaluate(t.placement.inverse().point(at));
+  };
+  EXPECT_NEAR(value(2, Vec3(1.05, 0, 0)), 0.175, 1e-15);
+  EXPECT_NEAR(value(3, Vec3(0, 1.5, 0)), 0.5, 1e-15);
 }
 
 TEST(Object, TexturesStackInLayers) {
@@ -131,6 +155,17 @@ TEST(Object, LightsInAUnionMoveWithIt) {
       "union { light_source { 0, rgb 1 translate x } sphere { 0, 1 } scale 2 translate y }");
   ASSERT_EQ(s.lights.size(), 1u);
   expect_near(s.lights[0].position, Vec3(2, 1, 0), 0);
+}
+
+TEST(Object, ALightStandsWhereAnObjectCan) {
+  auto const s =
+      scene_of("#declare L = light_source { 0, rgb 1 }\n"
+               "object { L translate x } union { object { L } sphere { 0, 1 } translate y }");
+  ASSERT_EQ(s.lights.size(), 2u);
+  EXPECT_EQ(s.lights[0].position, Vec3(1, 0, 0));
+  EXPECT_EQ(s.lights[1].position, Vec3(0, 1, 0));
+  ASSERT_EQ(s.objects.size(), 1u);
+  EXPECT_EQ(s.objects[0].children.size(), 1u);
 }
 
 TEST(Object, DirectivesMayYieldParts) {

@@ -81,6 +81,10 @@ TEST(Pigment, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("sphere { 0, 1 pigment { bozo color_map { } } }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 pigment { bozo color_map { [1 rgb 1] [0 rgb 1] } } }"), "E0356");
   EXPECT_EQ(codes("sphere { 0, 1 pigment { image_map { png \"a.png\" once } scale 2 } }"), "E0901");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { average pigment_map { [bozo] [1 wood] } } }"), "E0901");
+  EXPECT_EQ(
+      codes("sphere { 0, 1 pigment { function { x*y } color_map { [0 rgb 1] } turbulence 1 } }"),
+      "E0901");
   EXPECT_EQ(codes("sphere { 0, 1 texture { checker texture { T1 } texture { T2 } scale 2 } }"),
             "E0901");
   EXPECT_EQ(codes("sphere { 0, 1 texture { bozo texture_map { [0 T1] [1 T2] } } }"), "E0901");
