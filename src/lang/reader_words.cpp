@@ -94,6 +94,11 @@ void ReaderImpl::report(Severity severity, std::string_view code, std::string_vi
 }
 
 void ReaderImpl::unexpected(std::string_view what) {
+  // What stands for something reported before is not reported again.
+  if (next() == Next::Numeric && peek_.value) {
+    auto const* const number = std::get_if<Numeric>(&peek_.value->any);
+    if (number && number->poisoned()) return skip();
+  }
   Span span = next_span();
   bool const name = peek_.next == Next::Word && peek_.undeclared;
   bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
