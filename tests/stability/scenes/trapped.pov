@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clear glass in uniform white. Every pixel is white (furnace), or, seen from inside a cube, white or black: a ray
 // leaves the cube, at once or after any number of total reflections, only if one component of its direction is above
-// sqrt(1 - 1/n^2); else never. Limits = 0: no limits given. Row: 0 cube, 1 sphere, 2 brilliant, 3 inside a cube.
+// sqrt(1 - 1/n^2); else never. Limits = 0: no limits given. Row: 0 cube, 1 sphere, 2 brilliant, 3 inside a cube, 9 nothing.
 #include "frame.inc"
 #ifndef (Limits) #declare Limits = 0; #end
 #ifndef (Index) #declare Index = 1.5; #end
@@ -26,5 +26,5 @@ background { rgb 1 }
     texture { Clear } interior { Glass } rotate <20, 10, 0>
   }
 #break
-#else box { -.6, .6 texture { Clear } interior { Glass } }
+#case (0) #case (3) box { -.6, .6 texture { Clear } interior { Glass } } #break
 #end
