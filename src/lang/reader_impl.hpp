@@ -27,6 +27,7 @@ public:
   Vec3 vec3(std::string_view name) override;
   Vec4 vec4(std::string_view name) override;
   bool has_value() override { return next() == Next::Numeric; }
+  bool has_number() override;
   bool accept(std::string_view word) override;
   std::optional<bool> flag(std::string_view word) override;
   bool open(std::string_view word) override;
@@ -189,6 +190,9 @@ private:
   Span missing_at_;
   int macros_ = 0;
   int includes_ = 0;
+  /// Number of a face texture; `declared` tells apart those that were declared, null otherwise.
+  int add_face_texture(void const* declared, scene::Layers layers);
+
   std::vector<scene::Layers> face_textures_;
   std::map<void const*, int> face_texture_index_;
 };

@@ -36,6 +36,13 @@ bool ReaderImpl::accept(std::string_view word) {
   return false;
 }
 
+bool ReaderImpl::has_number() {
+  if (next() != Next::Numeric) return false;
+  // A vector is told by how it is written; an expression is not evaluated twice (it may call rand).
+  return !peek_.expr || (!ast::get_if<ast::LiteralVector>(*peek_.expr)
+                         && !ast::get_if<ast::Vector>(*peek_.expr));
+}
+
 std::optional<bool> ReaderImpl::flag(std::string_view word) {
   if (!accept(word)) return std::nullopt;
   return boolean_or(true);
@@ -48,6 +55,8 @@ bool ReaderImpl::take_punctuation(char symbol) {
 }
 
 int ReaderImpl::face_texture() {
+  // `texture_list { A B C }` names them bare, elsewhere they stand in a block.
+  if (auto named = accept_value<scene::Layers>()) return add_face_texture(named.get(), *named);
   if (next() != Next::Block || peek_.block->head.text != "texture") {
     ask("texture");
     return -1;
@@ -63,10 +72,14 @@ int ReaderImpl::face_texture() {
   Frame const& frame = frames_.back();
   bool const bare = key && frame.kind == Frame::Kind::Block && frame.items->size() == 1;
   close();
-  if (bare) {
-    auto const found = face_texture_index_.find(key);
-    if (found != face_texture_index_.end()) return found->second;
-    face_texture_index_[key] = static_cast<int>(face_textures_.size());
+  return add_face_texture(bare ? key : nullptr, std::move(layers));
+}
+
+int ReaderImpl::add_face_texture(void const* declared, scene::Layers layers) {
+  if (declared) {
+    auto const [found, fresh] =
+        face_texture_index_.try_emplace(declared, static_cast<int>(face_textures_.size()));
+    if (!fresh) return found->second;
   }
   face_textures_.push_back(std::move(layers));
   return static_cast<int>(face_textures_.size()) - 1;
