@@ -37,10 +37,9 @@ void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face)
   face.geometric = stage_.world->geometric_normal(chosen->primitive, chosen->face, frame.hit.point);
   face.normal = stage_.world->normal(chosen->primitive, chosen->face, frame.hit.point);
   Vec3 const& d = ray.line.direction;
-  if (glm::dot(d, face.geometric) > 0) {
-    face.geometric = -face.geometric;
-    face.normal = -face.normal;
-  }
+  if (glm::dot(d, face.geometric) > 0) face.geometric = -face.geometric;
+  // Corner normals need not agree with the winding of their face.
+  if (glm::dot(face.normal, face.geometric) < 0) face.normal = -face.normal;
   // A smoothed normal may lean away from the viewer.
   if (glm::dot(d, face.normal) >= 0) face.normal = face.geometric;
 }
@@ -160,7 +159,7 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
     mirrored.throughput[k] = beam.throughput[k] * weight;
   }
   if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout))
-    return cut(mirrored.throughput, beam.lanes);
+    return cut(mirrored, beam.lanes);
   if (face.splits) {
     Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
     if (governing.jitter >= 0) mirrored = jittered(mirrored, governing.jitter);
@@ -204,8 +203,7 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
     double const through = face.total[k] ? 0 : unasked ? face.transmittance[k] : 1;
     passed.throughput[k] = beam.throughput[k] * surface.passed[k] * through;
   }
-  if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout))
-    return cut(passed.throughput, beam.lanes);
+  if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout)) return cut(passed, beam.lanes);
   frame.through.on = frame.hit.members;
   frame.through.through = true;
   if (face.splits) return split(ray, passed, frame, face, after);
@@ -228,7 +226,10 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
   bool const first = !beam.monochromatic() && beam.lanes == stage_.channels;
   for (int k = 0; k < beam.lanes; ++k) {
     if (!(beam.throughput[k] > stage_.adc_bailout)) {
-      cut(beam.throughput + k, 1);
+      Beam ended = beam;
+      ended.channel += k;
+      ended.throughput += k;
+      cut(ended, 1);
       continue;
     }
     Arena::Scope const scope(arena_);

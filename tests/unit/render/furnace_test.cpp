@@ -62,7 +62,7 @@ TEST(FurnaceFaithful, KeepsWhiteOnTheMean) {
       picture(furnace(std::make_shared<geometry::Sphere>(), n_sf11(), faithful(), 8), options);
   double sum = 0;
   for (float const value : image.rgb) {
-    EXPECT_NEAR(value, 1, 0.2);
+    EXPECT_NEAR(value, 1, 0.5); // one of eight bands at the most
     sum += value;
   }
   EXPECT_NEAR(sum / static_cast<double>(image.rgb.size()), 1, 1e-3);
