@@ -51,21 +51,23 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
   if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
     path.inside = inside_at(ray.origin);
   ++counts_.camera;
-  cut_here_ = 0;
+  cut_here_ = Vec3(0);
   trace(path, beam);
-  cut_.worst_sample = std::max(cut_.worst_sample, cut_here_);
+  double const lost = std::max({cut_here_.x, cut_here_.y, cut_here_.z});
+  cut_.worst_sample = std::max(cut_.worst_sample, lost);
   // A sample that loses more than this has lost everything many times over.
   constexpr double most = 0x1p16;
-  cut_.sum += static_cast<std::uint64_t>(std::ceil(std::min(cut_here_, most) / CutLight::unit));
+  cut_.sum += static_cast<std::uint64_t>(std::ceil(std::min(lost, most) / CutLight::unit));
   return film_.resolve(waves_, bands);
 }
 
-void Tracer::cut(double const* throughput, int lanes) {
-  double sum = 0;
-  for (int k = 0; k < lanes; ++k) sum += throughput[k];
-  if (sum == 0) return;
+void Tracer::cut(Beam const& beam, int lanes) {
+  Vec3 sum(0);
+  for (int k = 0; k < lanes; ++k)
+    sum += beam.throughput[k] * glm::abs(stage_.rgb_weights[beam.channel[k]]);
+  if (sum == Vec3(0)) return;
   ++cut_.paths;
-  cut_here_ += sum / stage_.channels;
+  cut_here_ += sum;
 }
 
 Tracer::Frame& Tracer::frame(int depth) {
@@ -162,7 +164,7 @@ void Tracer::absorb(Beam& beam, Medium const& medium, double distance) {
 }
 
 void Tracer::trace(PathRay const& ray, Beam const& incoming) {
-  if (ray.level >= stage_.max_trace_level) return cut(incoming.throughput, incoming.lanes);
+  if (ray.level >= stage_.max_trace_level) return cut(incoming, incoming.lanes);
   ++depth_;
   Frame& here = frame(depth_);
   if (!stage_.world->closest(ray.line, ray.from, ray.mask, std::numeric_limits<double>::infinity(),

@@ -36,13 +36,14 @@ struct RayCounts {
   std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
 };
 
-/// Light that was dropped where paths end (Stage::adc_bailout, max_trace_level), as throughput: its
-/// product with Stage::brightest bounds what is missing. Sums are integers: the same for any order.
+/// Light that was dropped where paths end (Stage::adc_bailout, max_trace_level), as throughput of
+/// red, green or blue, whichever lost most (bands at their weights, without sign): its product with
+/// Stage::brightest bounds what is missing. Sums are integers: the same for any order.
 struct CutLight {
   static constexpr double unit = 0x1p-32;
   std::uint64_t paths = 0;
   std::uint64_t sum = 0;   ///< of all samples, in units, rounded up once a sample
-  double worst_sample = 0; ///< throughput, mean of the channels
+  double worst_sample = 0; ///< throughput
   void add(CutLight const& other);
 };
 
@@ -69,7 +70,7 @@ private:
   // tracer.cpp
   void trace(PathRay const& ray, Beam const& beam);
   /// Notes a beam that is not followed.
-  void cut(double const* throughput, int lanes);
+  void cut(Beam const& beam, int lanes);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
   InsideNode const* after_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
@@ -110,7 +111,7 @@ private:
   Arena camera_arena_;
   RayCounts counts_;
   CutLight cut_;
-  double cut_here_ = 0; ///< of the current sample
+  Vec3 cut_here_{0}; ///< of the current sample
 };
 
 } // namespace abbe::render

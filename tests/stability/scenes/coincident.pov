@@ -6,7 +6,7 @@
 #ifndef (Turn) #declare Turn = 0; #end
 global_settings { assumed_gamma 1 max_trace_level 30 }
 #default { finish { ambient .3 diffuse .6 } }
-#declare Rotated = transform { rotate Turn * <17, 31, 9> }
+#declare Rotated = transform { translate -Shift_in rotate Turn * <17, 31, 9> translate Shift_in }
 #declare There = transform { transform Rotated transform To_place }
 camera { location Far(<1.3, 1.6, -2.6>) right 4/3*x look_at Far(<.5, .45, .5>) angle 32 }
 light_source { Far(<3, 6, -4>), rgb 1 }

@@ -5,7 +5,7 @@
 #ifndef (Gap) #declare Gap = 0; #end
 #ifndef (Turn) #declare Turn = 0; #end
 global_settings { assumed_gamma 1 max_trace_level 30 }
-#declare There = transform { rotate Turn * <17, 31, 9> transform To_place }
+#declare There = transform { translate -Shift_in rotate Turn * <17, 31, 9> translate Shift_in transform To_place }
 #declare Clear = texture { pigment { rgbf <1, 1, 1, 1> } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel } conserve_energy } }
 #declare Checker = texture { pigment { checker rgb .2, rgb .9 } finish { ambient .3 diffuse .6 } }
 light_source { Far(<3, 6, -4>), rgb 1 }
