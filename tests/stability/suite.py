@@ -15,12 +15,16 @@ import families  # noqa: E402
 import pictures  # noqa: E402
 
 
-def describe(row: families.Row) -> str:
-    shown = []
+def failures(family: str, row: families.Row) -> list:
+    return [v for v in row.variants if not v.passed and (family, v.label) not in families.UNMET]
+
+
+def describe(family: str, row: families.Row) -> str:
+    shown, failed = [], failures(family, row)
     for v in row.variants:
         value = 'none' if v.value is None else f'{v.value:.3g}'
-        shown.append(f'{v.label}: {value}{"" if v.passed else " FAILED"}')
-    return f'  {"ok    " if row.passed else "FAILED"} {row.name:<30} [{row.unit}] {"; ".join(shown)}'
+        shown.append(f'{v.label}: {value}{"" if v.passed else " FAILED" if v in failed else " unmet"}')
+    return f'  {"FAILED" if failed else "ok    " if row.passed else "unmet "} {row.name:<30} [{row.unit}] {"; ".join(shown)}'
 
 
 def main() -> int:
@@ -46,8 +50,8 @@ def main() -> int:
         for name in options.families or families.FAMILIES:
             print(name)
             for row in families.FAMILIES[name](render, options.full):
-                print(describe(row), flush=True)
-                failed += not row.passed
+                print(describe(name, row), flush=True)
+                failed += bool(failures(name, row))
     return int(failed > 0)
 
 
