@@ -13,12 +13,14 @@ namespace {
 
 /// The text of a file, for the dumps that need no evaluation.
 std::optional<std::string> read_text(std::string const& path) {
+  std::error_code failed;
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    fmt::print(stderr, "abbe dump: error[E0501]: cannot read '{}'\n", path);
+  if (!std::filesystem::is_regular_file(path, failed) || !file) {
+    fmt::print(stderr, "abbe dump: error[E0501]: cannot read the file '{}'\n", path);
     return std::nullopt;
   }
+  std::ostringstream text;
+  text << file.rdbuf(); // fails for an empty file, which is a scene too
   return std::move(text).str();
 }
 
@@ -45,7 +47,6 @@ int run_check(int argc, char** argv) {
                "abbe check");
   arguments.add_to(app, false);
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
-  catch_interrupts();
   int status = 0;
   auto const evaluated = load_scene(arguments, status);
   if (evaluated && plan_scene(*evaluated, arguments, status) && !arguments.quiet)

@@ -3,10 +3,14 @@
 #include "cli/commands.hpp"
 
 #include <array>
+#include <csignal>
+#include <cstdio>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
 #include <string_view>
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
 
 namespace {
 
@@ -61,15 +65,41 @@ int run(int argc, char** argv) {
   return 2;
 }
 
+/// Results that did not reach standard output, say because the disk is full.
+int output_failed() {
+  std::fputs("abbe: error[E0510]: cannot write to standard output\n", stderr);
+  return 3;
+}
+
+/// What does not fit in memory and swap would be killed without a word: a failed allocation can be
+/// reported with its place.
+void limit_memory() {
+#if !defined(__SANITIZE_ADDRESS__) // which reserves far more than it uses
+  struct sysinfo machine {};
+  if (sysinfo(&machine) != 0) return;
+  rlim_t const bytes = (rlim_t{machine.totalram} + machine.totalswap) * machine.mem_unit;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
+  limit.rlim_cur = bytes;
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  limit_memory();
+  // A file that would grow beyond `ulimit -f` is an error of the write, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run(argc, argv);
+    int const status = run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    return output_failed();
   } catch (std::bad_alloc const&) {
     fmt::print(stderr, "abbe: error[E0701]: out of memory\n");
     return 1;
   } catch (std::exception const& failure) {
+    if (std::ferror(stdout) != 0) return output_failed(); // fmt::print throws
     fmt::print(stderr, "abbe: internal error: {}\n", failure.what());
     return 1;
   }

@@ -62,7 +62,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
   auto& options = arguments.options;
   arguments.scene.add_to(app, true);
   app.add_option("-o,--output", arguments.output,
-                 "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)");
+                 "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)")
+      ->check([](std::string const& name) {
+        return name.empty() ? std::string("the name is empty") : std::string();
+      });
   app.add_option("-j,--threads", options.threads, "threads (default: one a core)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--aa", arguments.anti_aliasing,
@@ -136,7 +139,6 @@ int render_scene(Arguments& arguments) {
           check_region(arguments.options.region, arguments.scene.width, arguments.scene.height))
     return bad;
 
-  catch_interrupts();
   auto const start = std::chrono::steady_clock::now();
   int status = 0;
   auto const evaluated = load_scene(arguments.scene, status);

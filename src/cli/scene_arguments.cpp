@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_arguments.hpp"
 
+#include "grammar/keywords.hpp"
+
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -15,9 +18,22 @@ extern "C" void on_interrupt(int) {
   if (stop_requested.exchange(true)) _exit(130);
 }
 
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
 std::string check_declaration(std::string const& text) {
   auto const equals = text.find('=');
   if (equals == std::string::npos || equals == 0) return "expected NAME=VALUE, got '" + text + "'";
+  std::string const name = text.substr(0, equals);
+  auto const letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+  };
+  if (!std::all_of(name.begin(), name.end(), letter) || (name[0] >= '0' && name[0] <= '9'))
+    return "'" + name + "' is not a name that a scene could use";
+  if (grammar::word_kind(name) != grammar::WordKind::Name)
+    return "'" + name + "' is a reserved word";
   return "";
 }
 
@@ -65,6 +81,7 @@ int parse_arguments(CLI::App& app, int argc, char** argv) {
 }
 
 std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status) {
+  catch_interrupts();
   lang::EvaluateOptions options;
   options.stdlib_dir = stdlib_dir();
   for (auto const& dir : arguments.include_dirs) options.include_dirs.emplace_back(dir);
@@ -127,11 +144,6 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
 
 std::atomic<bool> const& interrupted() {
   return stop_requested;
-}
-
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
 }
 
 } // namespace abbe::cli

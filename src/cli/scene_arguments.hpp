@@ -42,8 +42,7 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
 /// Where abbe's own includes and catalogues are: $ABBE_STDLIB, else where it was built.
 std::filesystem::path stdlib_dir();
 
-/// Set by Ctrl-C (and SIGTERM) once catch_interrupts was called; a second Ctrl-C ends at once.
+/// Set by Ctrl-C (and SIGTERM) once load_scene was called; a second Ctrl-C ends at once.
 std::atomic<bool> const& interrupted();
-void catch_interrupts();
 
 } // namespace abbe::cli

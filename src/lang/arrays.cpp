@@ -168,7 +168,7 @@ Value Expressions::array(ast::Array const& node) {
     return value;
   }
   for (auto const& size : node.sizes) {
-    double const n = std::trunc(scalar(size, "the size of an array") + 1e-10);
+    double const n = std::floor(scalar(size, "the size of an array") + 1e-10);
     if (!(n >= 1)) {
       in_.error("E0315", fmt::format("the size of an array must be at least 1, not {}", n),
                 ast::span_of(size));

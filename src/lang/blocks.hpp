@@ -90,6 +90,9 @@ void place_object(scene::Object, SceneState&);
 // transform.cpp
 /// Takes translate, rotate, scale, matrix, transform when one is next and appends it.
 bool read_transform(Reader&, geometry::Transform&);
+/// Products of factors that are fine one by one can leave the range of numbers, or vanish: reported
+/// at the span, and taken as no transformation.
+void check_range(Reader&, geometry::Transform&, Span);
 /// The content of `transform { ... }`.
 geometry::Transform read_transform_block(Reader&);
 // colour.cpp

@@ -23,6 +23,22 @@ std::optional<std::string> read_whole(fs::path const& path) {
   return std::move(text).str();
 }
 
+/// Writes beside the file and renames: whole or not at all, and a link is replaced, not followed.
+bool write_whole(fs::path const& path, std::string const& text) {
+  std::error_code failed;
+  if (fs::is_directory(path, failed)) return false;
+  fs::path const unfinished = path.parent_path() / ("." + path.filename().string() + ".tmp");
+  fs::remove(unfinished, failed);
+  std::ofstream out(unfinished, std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (out) fs::rename(unfinished, path, failed);
+  if (out && !failed) return true;
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  return false;
+}
+
 /// Is `path` in `folder` or below, once all links and dots are resolved?
 bool below(fs::path const& path, fs::path const& folder) {
   std::error_code failed;
@@ -138,10 +154,8 @@ void Files::write(FileValue& file, std::string_view text) {
 void Files::finish() {
   for (auto const& [path, written] : written_) {
     if (in_.options().allow_write) {
-      std::ofstream out(path, std::ios::binary);
-      out.write(written.text.data(), static_cast<std::streamsize>(written.text.size()));
-      out.close();
-      if (!out)
+      if (in_.error_count() > 0) return;
+      if (!write_whole(path, written.text))
         in_.error("E0504", fmt::format("cannot write the file '{}'", path.generic_string()),
                   written.opened_at);
     } else if (!written.read_back) {

@@ -2,6 +2,7 @@
 #include "lang/interpreter.hpp"
 
 #include <fmt/format.h>
+#include <new>
 
 namespace abbe::lang {
 namespace {
@@ -59,6 +60,7 @@ void Interpreter::say(std::string_view text) const {
 }
 
 void Interpreter::check_limits(Span span) {
+  place_ = span;
   if (options_.stop && options_.stop->load(std::memory_order_relaxed)) abort();
   if (stack_pointer() > stack_limit_) return;
   stack_limit_ = 0; // room for the report
@@ -80,8 +82,14 @@ void Interpreter::run(SourceFile const& source) {
   if (errors_ > 0) return;
   reader.enter_region(document_.items,
                       {&source, 0, static_cast<std::uint32_t>(source.text().size())});
-  while (!reader.at_end()) read_statement(reader);
-  finish_scene(reader);
+  try {
+    place_ = reader.next_span();
+    while (!reader.at_end()) read_statement(reader);
+    finish_scene(reader);
+  } catch (std::bad_alloc const&) {
+    error("E0701", "there is no memory left for what the scene makes here", place_);
+    abort();
+  }
   reader.leave_region();
   state.scene.settings.version = state.effective_version;
   files.finish();

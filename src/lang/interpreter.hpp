@@ -81,6 +81,7 @@ private:
   std::unordered_set<std::string> said_;
   int errors_ = 0;
   std::uintptr_t stack_limit_ = 0; ///< the lowest address that may be used
+  Span place_;                     ///< of the latest loop, nesting or statement: for out of memory
 };
 
 } // namespace abbe::lang

@@ -76,8 +76,10 @@ bool read_hint(Reader& in) {
 
 bool read_object_modifier(Reader& in, Object& object) {
   geometry::Transform transform;
+  Span const at = in.next_span();
   if (read_transform(in, transform)) {
     transform_object(object, transform);
+    check_range(in, object.placement, at);
     return true;
   }
   Surface const surface{object.texture, object.interior_texture, object.interior};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace abbe::lang {
 
@@ -33,7 +34,22 @@ Transform read_matrix(Reader& in) {
   return {};
 }
 
+bool read_one(Reader& in, Transform& transform);
+
 } // namespace
+
+void check_range(Reader& in, Transform& transform, Span at) {
+  double sum = 0; // finite if all are: what overflows here is of no use either
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      sum += std::abs(transform.linear[i][j]) + std::abs(transform.inverse_linear[i][j]);
+  for (int i = 0; i < 3; ++i)
+    sum += std::abs(transform.offset[i]) + std::abs(transform.inverse_offset[i]);
+  if (std::isfinite(sum)) return;
+  in.report(Severity::Error, "E0351",
+            "these transformations together are too large or too small for numbers", at);
+  transform = {};
+}
 
 Transform read_transform_block(Reader& in) {
   Transform whole;
@@ -50,6 +66,15 @@ Transform read_transform_block(Reader& in) {
 }
 
 bool read_transform(Reader& in, Transform& transform) {
+  Span const at = in.next_span();
+  if (!read_one(in, transform)) return false;
+  check_range(in, transform, at);
+  return true;
+}
+
+namespace {
+
+bool read_one(Reader& in, Transform& transform) {
   if (in.accept("translate")) {
     transform = transform.then(Transform::translation(in.vec3("translation")));
   } else if (in.accept("rotate")) {
@@ -71,5 +96,7 @@ bool read_transform(Reader& in, Transform& transform) {
   }
   return true;
 }
+
+} // namespace
 
 } // namespace abbe::lang
