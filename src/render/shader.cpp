@@ -63,20 +63,54 @@ LaneSurface Shader::shade() {
 
 void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out) {
   Surface const& surface = stage_.surfaces[crossing.primitive];
-  std::vector<int> const* layers = &surface.layers;
-  if (!surface.face_layers.empty()) {
-    int const own = stage_.world->primitive(crossing.primitive).shape->face_texture(crossing.face);
-    if (own >= 0) layers = &surface.face_layers[static_cast<std::size_t>(own)];
-  }
-  if (!crossing.entering && !surface.interior_layers.empty()) layers = &surface.interior_layers;
-  for (auto layer = layers->rbegin(); layer != layers->rend(); ++layer) {
-    Arena::Scope const scope(tracer_.arena_);
-    shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], surface.double_illuminate,
-                &crossing == &frame_.hit.crossings[face_.carrier], out);
-    if (largest(out.passed, beam_.lanes) <= stage_.adc_bailout) {
-      bool const gone = largest(out.passed, beam_.lanes) == 0;
-      if (gone || stage_.adc_bailout > 0) break;
+  bool const carries = &crossing == &frame_.hit.crossings[face_.carrier];
+  if (!crossing.entering && !surface.interior_layers.empty())
+    return shade_layers(surface.interior_layers, surface.double_illuminate, carries, out);
+  if (surface.face_layers.empty())
+    return shade_layers(surface.layers, surface.double_illuminate, carries, out);
+  auto const of_face = [&](int number) -> std::vector<int> const& {
+    return number < 0 ? surface.layers : surface.face_layers[static_cast<std::size_t>(number)];
+  };
+  geometry::PlacedShape const& placed = stage_.world->primitive(crossing.primitive);
+  auto const blend =
+      placed.shape->face_blend(placed.placement.inverse().point(frame_.hit.point), crossing.face);
+  if (!blend)
+    return shade_layers(of_face(placed.shape->face_texture(crossing.face)),
+                        surface.double_illuminate, carries, out);
+
+  // Corners of different textures: each shades its share of the light.
+  auto const n = static_cast<std::size_t>(beam_.lanes);
+  double* const arriving = out.passed;
+  double* const left = tracer_.arena_.take<double>(n);
+  double* const part = tracer_.arena_.take<double>(n);
+  double* const mirrored = tracer_.arena_.take<double>(n);
+  std::fill_n(left, n, 0.0);
+  std::copy_n(out.mirrored, n, mirrored);
+  for (int corner = 0; corner < 3; ++corner) {
+    double const share = blend->share[corner];
+    for (std::size_t k = 0; k < n; ++k) {
+      part[k] = arriving[k] * share;
+      out.mirrored[k] = 0;
     }
+    out.passed = part;
+    shade_layers(of_face(blend->texture[static_cast<std::size_t>(corner)]),
+                 surface.double_illuminate, carries, out);
+    for (std::size_t k = 0; k < n; ++k) {
+      left[k] += part[k];
+      mirrored[k] += out.mirrored[k] * share;
+    }
+  }
+  std::copy_n(mirrored, n, out.mirrored);
+  out.passed = left;
+}
+
+void Shader::shade_layers(std::vector<int> const& layers, bool double_illuminate, bool carries,
+                          LaneSurface& out) {
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    Arena::Scope const scope(tracer_.arena_);
+    shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], double_illuminate, carries, out);
+    double const rest = largest(out.passed, beam_.lanes);
+    if (rest == 0 || (rest <= stage_.adc_bailout && stage_.adc_bailout > 0)) break;
   }
 }
 

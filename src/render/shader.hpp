@@ -19,6 +19,8 @@ public:
 private:
   struct Lit; // light arriving from one lamp
   void shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out);
+  void shade_layers(std::vector<int> const& layers, bool double_illuminate, bool carries,
+                    LaneSurface& out);
   void shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
                    LaneSurface& out);
   void add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
