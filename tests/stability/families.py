@@ -285,7 +285,7 @@ def spectral_ends(render, full):
             exr = render.render('spectral.scn', '.exr', ('--bands', bands, '--dispersion', mode), Row=1).result()
             most = float(render.metadata(exr, 'MissingLight').split()[-1])
             worst = render.differences(white, exr)['linear']['max']
-            variants.append(Variant(str(bands), worst, worst <= 1e-6 + most * PRINTED))
+            variants.append(Variant(f'{mode} {bands}', worst, worst <= 1e-6 + most * PRINTED))
         yield Row(mode, variants, 'of white')
 
 
@@ -328,7 +328,8 @@ def threads(render, full):
 
 # Variants that the criterion asks for and abbe does not meet yet: shown, not counted as failures of the
 # suite. docs/stability.md says why.
-UNMET = {('coincident', 'rotated, moved by 1000'),
+UNMET = {('spectral_ends', 'stochastic 2'), ('spectral_ends', 'stochastic 3'),
+         ('coincident', 'rotated, moved by 1000'),
          ('touching_media', '-1e-07'), ('touching_media', '-1e-12'),
          ('fading_dispersion', '10^-6'), ('fading_dispersion', '10^-8'), ('fading_dispersion', '10^-10')}
 
