@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
     return output_failed();
   } catch (std::bad_alloc const&) {
-    fmt::print(stderr, "abbe: error[E0701]: out of memory\n");
+    fmt::print(stderr, "abbe: error[E0706]: out of memory\n");
     return 1;
   } catch (std::exception const& failure) {
     if (std::ferror(stdout) != 0) return output_failed(); // fmt::print throws

@@ -87,7 +87,7 @@ void Interpreter::run(SourceFile const& source) {
     while (!reader.at_end()) read_statement(reader);
     finish_scene(reader);
   } catch (std::bad_alloc const&) {
-    error("E0701", "there is no memory left for what the scene makes here", place_);
+    error("E0706", "there is no memory left for what the scene makes here", place_);
     abort();
   }
   reader.leave_region();
