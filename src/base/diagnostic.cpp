@@ -9,9 +9,12 @@ namespace {
 
 char const* word(Severity severity) {
   switch (severity) {
-  case Severity::Error: return "error";
-  case Severity::Warning: return "warning";
-  case Severity::Note: return "note";
+  case Severity::Error:
+    return "error";
+  case Severity::Warning:
+    return "warning";
+  case Severity::Note:
+    return "note";
   }
   return "";
 }
@@ -60,7 +63,8 @@ std::string format(Diagnostic const& d) {
   if (!d.code.empty()) out += fmt::format("[{}]", d.code);
   out += ": " + d.message;
   if (d.span.valid()) append_excerpt(out, d.span);
-  for (auto const& note : d.notes) out += fmt::format("\n{}note: {}", location(note.span), note.message);
+  for (auto const& note : d.notes)
+    out += fmt::format("\n{}note: {}", location(note.span), note.message);
   return out;
 }
 

@@ -13,8 +13,8 @@ namespace abbe {
 /// What a shape or pattern reads its parameters from, in the order in which the scene gives them.
 /// The leaf libraries read through this interface and so know nothing of the language; `lang`
 /// implements it on the items of a block. A value that is missing or of the wrong type is reported
-/// at its place and a harmless default returned: reading goes on, so that one run reports all errors.
-/// Commas between values are optional and skipped.
+/// at its place and a harmless default returned: reading goes on, so that one run reports all
+/// errors. Commas between values are optional and skipped.
 class Parameters {
 public:
   virtual ~Parameters() = default;
@@ -29,7 +29,8 @@ public:
   virtual Vec4 vec4(std::string_view name) = 0;
   /// Is a number or vector next (and not a word, a block or the end)?
   virtual bool has_value() = 0;
-  /// Is a number next, and not a vector? Decides between `<i, j, k>, number` and `<i, j, k>, <l ...>`.
+  /// Is a number next, and not a vector? Decides between `<i, j, k>, number` and `<i, j, k>, <l
+  /// ...>`.
   virtual bool has_number() { return has_value(); }
   /// A number when one is next.
   std::optional<double> optional_number(std::string_view name) {
@@ -38,13 +39,15 @@ public:
   }
   /// Takes the word when it is next.
   virtual bool accept(std::string_view word) = 0;
-  /// A word that may be followed by a boolean (`open`, `hierarchy off`): true when it is there and on.
+  /// A word that may be followed by a boolean (`open`, `hierarchy off`): true when it is there and
+  /// on.
   virtual std::optional<bool> flag(std::string_view word) = 0;
-  /// Opens `word {` when it is next; read its content, then close(), which reports what is left unread.
+  /// Opens `word {` when it is next; read its content, then close(), which reports what is left
+  /// unread.
   virtual bool open(std::string_view word) = 0;
   virtual void close() = 0;
-  /// Reads `texture { ... }` (its word included) and returns its number among the textures that this
-  /// object gives to its faces; -1 when none is next.
+  /// Reads `texture { ... }` (its word included) and returns its number among the textures that
+  /// this object gives to its faces; -1 when none is next.
   virtual int face_texture() = 0;
   /// Is the current block (or the whole) used up?
   virtual bool at_end() = 0;

@@ -7,7 +7,8 @@ namespace abbe {
 
 /// Counter-based random numbers: a number is a pure function of what it is for, so that threads,
 /// tiles and order do not matter (law 2). Keys chain: child = combine(parent, index).
-/// The mixer is the 64-bit finaliser of SplitMix64 (Steele, Lea, Flood 2014), variant 13 of Stafford.
+/// The mixer is the 64-bit finaliser of SplitMix64 (Steele, Lea, Flood 2014), variant 13 of
+/// Stafford.
 constexpr std::uint64_t mix_bits(std::uint64_t v) {
   v ^= v >> 30;
   v *= 0xbf58476d1ce4e5b9ULL;

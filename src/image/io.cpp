@@ -29,7 +29,7 @@ Result<Format> format_by_extension(std::filesystem::path const& path) {
 }
 
 std::optional<Format> format_by_content(std::string_view head) {
-  using namespace std::string_view_literals;
+  using std::string_view_literals::operator""sv;
   if (head.starts_with("\x76\x2f\x31\x01"sv)) return Format::Exr;
   if (head.starts_with("\x89PNG\r\n\x1a\n"sv)) return Format::Png;
   for (auto const magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})

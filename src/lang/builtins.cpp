@@ -46,9 +46,8 @@ Numeric axis(std::uint8_t size, std::size_t place) {
 
 /// Days since the start of the year 2000, UTC.
 double days_since_2000() {
-  using namespace std::chrono;
-  auto const since_1970 = system_clock::now().time_since_epoch();
-  return duration<double>(since_1970).count() / 86400 - 10957;
+  auto const since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(since_1970).count() / 86400 - 10957;
 }
 
 } // namespace

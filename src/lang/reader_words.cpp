@@ -39,8 +39,9 @@ bool ReaderImpl::accept(std::string_view word) {
 bool ReaderImpl::has_number() {
   if (next() != Next::Numeric) return false;
   // A vector is told by how it is written; an expression is not evaluated twice (it may call rand).
-  return !peek_.expr || (!ast::get_if<ast::LiteralVector>(*peek_.expr)
-                         && !ast::get_if<ast::Vector>(*peek_.expr));
+  return !peek_.expr
+         || (!ast::get_if<ast::LiteralVector>(*peek_.expr)
+             && !ast::get_if<ast::Vector>(*peek_.expr));
 }
 
 std::optional<bool> ReaderImpl::flag(std::string_view word) {
