@@ -2,9 +2,10 @@
 // Functions that ask about names, arrays, files and objects.
 #include "lang/builtins.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/object_query.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
+#include <optional>
 
 namespace abbe::lang {
 namespace {
@@ -54,10 +55,85 @@ Numeric file_exists(CallContext& context, Arguments a) {
   return scalar_of(context.in.files.exists(a[0].text, context.span.source) ? 1 : 0);
 }
 
-Numeric not_yet(CallContext& context, ast::Call const&) {
-  context.failed = true;
-  context.in.error("E0901", fmt::format("'{}' is not supported yet", context.name), context.span);
-  return poison();
+/// The object that the first argument names, ready for questions; null after a complaint. A scene
+/// asks many questions about one object, so the last one is kept.
+ObjectQuery const* object_argument(CallContext& context, ast::Call const& node) {
+  using Object = std::shared_ptr<scene::Object const>;
+  thread_local std::weak_ptr<scene::Object const> known;
+  thread_local std::optional<ObjectQuery> query;
+  if (node.arguments.empty()) {
+    context.fail("expected an object");
+    return nullptr;
+  }
+  Value const value = context.in.reader.value_of(node.arguments[0], context.span);
+  auto const* object = std::get_if<Object>(&value.any);
+  if (!object || !*object) {
+    if (value.empty())
+      context.failed = true; // reported where it was read
+    else
+      context.fail("expected an object as the first argument");
+    return nullptr;
+  }
+  if (known.lock() != *object || !query) {
+    query.reset();
+    if (auto made = ObjectQuery::of(**object)) query.emplace(std::move(*made));
+    known = *object;
+  }
+  if (!query) context.fail("this object has no shape");
+  return query ? &*query : nullptr;
+}
+
+/// A vector argument; nullopt after a complaint.
+std::optional<Vec3> vector_argument(CallContext& context, ast::Call const& node,
+                                    std::size_t index) {
+  ast::Expr const* const only =
+      index < node.arguments.size() ? Expressions::sole(node.arguments[index]) : nullptr;
+  if (!only) {
+    context.fail("takes an object and vectors");
+    return std::nullopt;
+  }
+  Numeric const n = context.in.expressions.numeric(*only);
+  if (n.size == 0) {
+    context.failed = true;
+    return std::nullopt;
+  }
+  return n.promoted(3).vec3();
+}
+
+Numeric inside(CallContext& context, ast::Call const& node) {
+  ObjectQuery const* const object = object_argument(context, node);
+  auto const point = object ? vector_argument(context, node, 1) : std::nullopt;
+  return point ? scalar_of(object->inside(*point) ? 1 : 0) : poison();
+}
+
+Numeric trace(CallContext& context, ast::Call const& node) {
+  ObjectQuery const* const object = object_argument(context, node);
+  if (!object) return poison();
+  auto const start = vector_argument(context, node, 1);
+  auto const direction = start ? vector_argument(context, node, 2) : std::nullopt;
+  if (!direction) return poison();
+  if (!(glm::length(*direction) > 0)) return context.fail("the direction must not be zero");
+  auto const hit = object->trace(*start, *direction);
+  if (node.arguments.size() > 3) {
+    // By reference: an existing vector receives the normal, zero on a miss.
+    ast::Expr const* const target = Expressions::sole(node.arguments[3]);
+    auto const* name = target ? ast::get_if<ast::Name>(*target) : nullptr;
+    Value* const value =
+        name && !name->reserved ? context.in.scope.find(context.in.scope.symbol(*name)) : nullptr;
+    if (!value) return context.fail("the fourth argument must be the name of a declared vector");
+    value->any = vector_of(hit ? hit->normal : Vec3(0));
+  }
+  return vector_of(hit ? hit->point : Vec3(0));
+}
+
+Numeric min_extent(CallContext& context, ast::Call const& node) {
+  ObjectQuery const* const object = object_argument(context, node);
+  return object ? vector_of(object->bounds().low) : poison();
+}
+
+Numeric max_extent(CallContext& context, ast::Call const& node) {
+  ObjectQuery const* const object = object_argument(context, node);
+  return object ? vector_of(object->bounds().high) : poison();
 }
 
 Builtin special(std::string_view name, Numeric (*compute)(CallContext&, ast::Call const&)) {
@@ -72,10 +148,10 @@ std::span<Builtin const> scene_builtins() {
       special("dimensions", dimensions),
       special("dimension_size", dimension_size),
       {"file_exists", "s", false, file_exists},
-      special("inside", not_yet),
-      special("trace", not_yet),
-      special("min_extent", not_yet),
-      special("max_extent", not_yet),
+      special("inside", inside),
+      special("trace", trace),
+      special("min_extent", min_extent),
+      special("max_extent", max_extent),
   };
   return table;
 }
