@@ -6,6 +6,7 @@
 #include "grammar/expression.hpp"
 #include "grammar/item.hpp"
 #include "grammar/open_blocks.hpp"
+#include "grammar/repeat_info.hpp"
 
 namespace abbe::grammar::rules {
 
