@@ -165,8 +165,8 @@ int render_scene(Arguments& arguments) {
   if (!arguments.scene.quiet) {
     double const seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
-               result.image.width, result.image.height,
+    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output, result.image.width,
+               result.image.height,
                plan->bands ? fmt::format("{} bands", plan->bands->count()) : std::string("r g b"),
                seconds, result.counts.total());
   }

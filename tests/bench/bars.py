@@ -105,7 +105,7 @@ def large(bench) -> list:
 
 def loading(bench) -> list:
     scene = bench.folder / 'mesh.pov'
-    scenes.mesh(scene, 366 if bench.quick else 1157)
+    scenes.mesh(scene, 366 if bench.quick else 1037)
     taken = bench.race({'abbe': [bench.abbe, 'check', scene], 'povray': bench.povray(scene, size=(1, 1))},
                        runs=1 if bench.quick else 0)
     ours, theirs = taken['abbe'], taken['povray']
