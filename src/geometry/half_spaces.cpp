@@ -55,7 +55,7 @@ void HalfSpaces::add(PrimitiveId primitive, Placed const& placed, bool outside_c
   normal_y_.push_back(normal.y);
   normal_z_.push_back(normal.z);
   level_.push_back(glm::dot(normal, offset));
-  offset_size_ = std::max(offset_size_, sum_of_sizes(offset));
+  offset_size_ = std::max(offset_size_, sum_of_sizes(placed.offset_size()));
 }
 
 void HalfSpaces::finish() {

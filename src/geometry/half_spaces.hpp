@@ -59,7 +59,7 @@ private:
   /// normal . p - level <= 0, in the plane's own scale: the largest component of a bound on the
   /// absolute normal is 1. Filled up to whole lanes by repetition.
   std::vector<double> normal_x_, normal_y_, normal_z_, level_;
-  double offset_size_ = 0; ///< largest sum of the absolute components of an offset
+  double offset_size_ = 0; ///< largest sum of the components of Placed::offset_size()
 };
 
 bool is_plane(Shape const& shape);

@@ -6,7 +6,9 @@
 namespace abbe::geometry {
 
 Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along_axes_(false) {
-  Mat3 const& m = source_.placement.inverse_linear;
+  Transform const& at = source_.placement;
+  offset_rounding_ = rounding * glm::abs(at.offset) + at.offset_error;
+  Mat3 const& m = at.inverse_linear;
   along_axes_ = m == Mat3(m[0][0], 0, 0, 0, m[1][1], 0, 0, 0, m[2][2]);
   for (int row = 0; row < 3; ++row) {
     int entries = 0;
@@ -18,13 +20,14 @@ Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along
     }
     for (int column = 0; column < 3; ++column) {
       bool const none = entries == 1 && m[column][row] == 0;
-      size_[column][row] = none ? 0.0 : largest;
+      double const off = at.inverse_linear_error[column][row];
+      size_[column][row] = (none ? 0.0 : largest) + off / rounding;
+      along_axes_ = along_axes_ && (row == column || off == 0);
     }
   }
 }
 
 Ray Placed::to_object(Ray const& world) const {
-  constexpr double rounding = gamma_bound(16);
   Transform const& at = source_.placement;
   Vec3 const from_here = world.origin - at.offset;
   Ray ray;
@@ -34,14 +37,14 @@ Ray Placed::to_object(Ray const& world) const {
     ray.origin = scale * from_here;
     ray.direction = scale * world.direction;
     ray.origin_error = size * world.origin_error;
-    ray.origin_rounding = size * (rounding * (glm::abs(from_here) + glm::abs(at.offset)));
+    ray.origin_rounding = size * (rounding * glm::abs(from_here) + offset_rounding_);
     ray.direction_rounding = size * (rounding * glm::abs(world.direction));
     return ray;
   }
   ray.origin = at.inverse_linear * from_here;
   ray.direction = at.inverse_linear * world.direction;
   ray.origin_error = size_ * world.origin_error;
-  ray.origin_rounding = size_ * (rounding * (glm::abs(from_here) + glm::abs(at.offset)));
+  ray.origin_rounding = size_ * (rounding * glm::abs(from_here) + offset_rounding_);
   ray.direction_rounding = size_ * (rounding * glm::abs(world.direction));
   return ray;
 }
@@ -68,8 +71,11 @@ Bounds Placed::bounds() const {
   Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
   Vec3 const centre = at.point(middle);
   Vec3 const reach = size * half;
-  Vec3 const wide =
-      reach + gamma_bound(64) * (size * glm::abs(middle) + reach + glm::abs(at.offset));
+  Vec3 const far = size * glm::abs(middle) + reach;
+  // What to_object is off by, taken back to the world.
+  Vec3 const off = at.offset_error + at.linear_error * (glm::abs(middle) + half)
+                   + size * (at.inverse_linear_error * far + size_ * at.offset_error);
+  Vec3 const wide = reach + gamma_bound(64) * (far + glm::abs(at.offset)) + off;
   return {centre - wide, centre + wide, false};
 }
 

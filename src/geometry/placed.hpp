@@ -10,9 +10,9 @@ namespace abbe::geometry {
 ///
 /// Object space is inverse_linear (p - offset): the difference comes first, so that a shape far
 /// from the origin keeps its digits when the ray comes near. The bounds allow 16 roundings for
-/// matrices that are products of several; where a row has several entries, they are taken as if
-/// each were as large as the largest, for a zero (cos 90 degrees) may carry an error relative to
-/// its neighbours.
+/// the shape's own canonical form and for to_object itself; where a row has several entries, they
+/// are taken as if each were as large as the largest, for a zero (cos 90 degrees) may carry an
+/// error relative to its neighbours. What the placement's own bounds say comes on top.
 class Placed {
 public:
   explicit Placed(PlacedShape placed);
@@ -23,14 +23,18 @@ public:
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
-  /// Bounds of |inverse_linear|, entry by entry, as described.
+  /// inverse_linear is off by at most `rounding` times this, entry by entry, as described.
   Mat3 const& inverse_size() const { return size_; }
+  /// placement.offset is off by at most `rounding` times this.
+  Vec3 offset_size() const { return offset_rounding_ / rounding; }
+  static constexpr double rounding = gamma_bound(16);
   /// Bounds in world space, wide enough for the errors of to_object.
   Bounds bounds() const;
 
 private:
   PlacedShape source_;
   Mat3 size_;
+  Vec3 offset_rounding_;
   bool along_axes_; ///< inverse_linear is diagonal
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/vec.hpp"
+#include "geometry/transform.hpp"
 
 #include <array>
 #include <cstdint>
@@ -93,30 +93,6 @@ public:
   virtual bool one_interval() const { return false; }
 };
 using ShapePtr = std::shared_ptr<Shape const>;
-
-/// p -> linear * p + offset, with its inverse.
-struct Transform {
-  Mat3 linear{1};
-  Vec3 offset{0};
-  Mat3 inverse_linear{1};
-  Vec3 inverse_offset{0};
-
-  static Transform translation(Vec3 const& by);
-  static Transform scaling(Vec3 const& by);
-  /// POV-Ray's rotate: about x, then y, then z, degrees, left-handed.
-  static Transform rotation(Vec3 const& degrees);
-  static Transform rotation_about(Vec3 const& axis, double degrees);
-  /// POV-Ray's `matrix <...>`: 12 numbers, rows of a row-vector matrix; nullopt when singular.
-  static std::optional<Transform> matrix(double const (&rows)[12]);
-  /// `*this` first, then `next`.
-  Transform then(Transform const& next) const;
-  Transform inverse() const;
-  Vec3 point(Vec3 const& p) const { return linear * p + offset; }
-  Vec3 vector(Vec3 const& v) const { return linear * v; }
-  /// Direction of a normal (transposed inverse), not normalised.
-  Vec3 normal(Vec3 const& n) const { return glm::transpose(inverse_linear) * n; }
-  bool identity() const;
-};
 
 /// A shape and where it stands: shapes are in canonical form (unit sphere, unit cube ...), what
 /// makes them this sphere or box is the placement.

@@ -329,7 +329,6 @@ def threads(render, full):
 # Variants that the criterion asks for and abbe does not meet yet: shown, not counted as failures of the
 # suite. docs/stability.md says why.
 UNMET = {('spectral_ends', 'stochastic 2'), ('spectral_ends', 'stochastic 3'),
-         ('coincident', 'rotated, moved by 1000'),
          ('touching_media', '-1e-07'), ('touching_media', '-1e-12'),
          ('fading_dispersion', '10^-6'), ('fading_dispersion', '10^-8'), ('fading_dispersion', '10^-10')}
 

@@ -26,7 +26,8 @@ std::optional<PlacedShape> make_box(Vec3 const& corner, Vec3 const& opposite) {
   Vec3 const half = glm::abs(opposite * 0.5 - corner * 0.5);
   if (!usable_size(half.x) || !usable_size(half.y) || !usable_size(half.z)) return std::nullopt;
   Vec3 const middle = corner * 0.5 + opposite * 0.5;
-  return PlacedShape{cube, Transform::scaling(half).then(Transform::translation(middle))};
+  return PlacedShape{cube,
+                     Transform::scaling(half).then(Transform::rounded_translation(middle, 1))};
 }
 
 std::optional<PlacedShape> read_box(Parameters& parameters) {

@@ -38,7 +38,7 @@ std::optional<PlacedShape> make_cone(Vec3 const& base, double base_radius, Vec3 
   double const rate = (r1 - r0) / radius * 0.5;
   Transform const placement = Transform::scaling({radius, half_length, radius})
                                   .then(y_to(half))
-                                  .then(Transform::translation(cap * 0.5 + base * 0.5));
+                                  .then(Transform::rounded_translation(cap * 0.5 + base * 0.5, 1));
   return PlacedShape{std::make_shared<Cone>(middle, rate, open), placement};
 }
 

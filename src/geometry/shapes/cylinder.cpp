@@ -27,7 +27,7 @@ std::optional<PlacedShape> make_cylinder(Vec3 const& base, Vec3 const& cap, doub
   double const r = std::fabs(radius);
   Transform const placement = Transform::scaling({r, half_length, r})
                                   .then(y_to(half))
-                                  .then(Transform::translation(cap * 0.5 + base * 0.5));
+                                  .then(Transform::rounded_translation(cap * 0.5 + base * 0.5, 1));
   return PlacedShape{std::make_shared<Cylinder>(open), placement};
 }
 

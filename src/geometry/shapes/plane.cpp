@@ -14,7 +14,8 @@ Bounds Plane::bounds() const {
 std::optional<PlacedShape> make_plane(Vec3 const& normal, double distance) {
   if (!finite(normal) || normal == Vec3(0) || !std::isfinite(distance)) return std::nullopt;
   Vec3 const unit = unit_vector(normal);
-  return PlacedShape{std::make_shared<Plane>(unit), Transform::translation(unit * distance)};
+  return PlacedShape{std::make_shared<Plane>(unit),
+                     Transform::rounded_translation(unit * distance, 8)};
 }
 
 std::optional<PlacedShape> read_plane(Parameters& parameters) {

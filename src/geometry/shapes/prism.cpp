@@ -169,7 +169,7 @@ std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, doub
   }
   Transform const placement =
       Transform::scaling({1, half, 1})
-          .then(Transform::translation({middle.x, y1 * 0.5 + y2 * 0.5, middle.y}));
+          .then(Transform::rounded_translation({middle.x, y1 * 0.5 + y2 * 0.5, middle.y}, 1));
   return PlacedShape{std::make_shared<Prism>(contours, open), placement};
 }
 
