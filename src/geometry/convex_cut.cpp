@@ -62,7 +62,7 @@ ConvexCut::Verdict ConvexCut::narrow(LineQuery const& query, Part& part) const {
   auto& events = query.scratch.events;
   for (Operand const& operand : others_) {
     std::size_t const first = events.size();
-    gather(query, operand.primitive, operand.operand, false);
+    gather_near(query, operand.primitive, operand.operand, false);
     if (events.size() != first + 2) return Verdict::Nothing; // bounded, and missed
     std::size_t const in = events[first].entering ? first : first + 1;
     std::size_t const out = 2 * first + 1 - in;

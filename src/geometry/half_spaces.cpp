@@ -19,8 +19,6 @@ constexpr std::size_t width = 4;
 /// in terms of the bounds of the absolute normals; the rest pays for products of errors and for the
 /// speed in the denominator being off by a thousandth.
 constexpr double rounding = gamma_bound(128);
-/// A plane is nearly parallel below this many times its speed's error.
-constexpr double clear_factor = 1024;
 
 double sum_of_sizes(Vec3 const& v) {
   return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
@@ -43,18 +41,29 @@ bool is_plane(Shape const& shape) {
   return dynamic_cast<Plane const*>(&shape) != nullptr;
 }
 
-void HalfSpaces::add(PrimitiveId primitive, Placed const& placed, bool outside_counts) {
+HalfSpaces::Scaled HalfSpaces::scaled(Placed const& placed, bool outside_counts) {
   Vec3 const own = placed.shape().normal(Vec3(0), 0);
   Vec3 const bound = glm::transpose(placed.inverse_size()) * glm::abs(own);
   double const scale = std::max(bound.x, std::max(bound.y, bound.z));
-  Vec3 const offset = placed.source().placement.offset;
   Vec3 const normal = placed.source().placement.normal(own) / (outside_counts ? -scale : scale);
+  return {normal, glm::dot(normal, placed.source().placement.offset)};
+}
+
+double HalfSpaces::at_rest(Vec3 const& origin, Vec3 const& origin_error, double offset_size) {
+  return rounding * (sum_of_sizes(origin) + 2 * offset_size) + 2 * sum_of_sizes(origin_error);
+}
+double HalfSpaces::per_t(Vec3 const& direction) {
+  return rounding * sum_of_sizes(direction);
+}
+
+void HalfSpaces::add(PrimitiveId primitive, Placed const& placed, bool outside_counts) {
+  auto const [normal, level] = scaled(placed, outside_counts);
   primitives_.push_back(primitive);
   outside_counts_.push_back(outside_counts ? 1 : 0);
   normal_x_.push_back(normal.x);
   normal_y_.push_back(normal.y);
   normal_z_.push_back(normal.z);
-  level_.push_back(glm::dot(normal, offset));
+  level_.push_back(level);
   offset_size_ = std::max(offset_size_, sum_of_sizes(placed.offset_size()));
 }
 
@@ -91,9 +100,8 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
                                        HalfSpaceScratch& scratch, Common& out) const {
   std::size_t const size = normal_x_.size();
   scratch.resize(size);
-  out.at_rest = rounding * (sum_of_sizes(ray.origin) + 2 * offset_size_)
-                + (from != nullptr ? 2 * sum_of_sizes(ray.origin_error) : 0.0);
-  out.per_t = rounding * sum_of_sizes(ray.direction);
+  out.at_rest = at_rest(ray.origin, from != nullptr ? ray.origin_error : Vec3(0), offset_size_);
+  out.per_t = per_t(ray.direction);
   double const steep = clear_factor * out.per_t;
   Double4 const ox(ray.origin.x), oy(ray.origin.y), oz(ray.origin.z);
   Double4 const dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);

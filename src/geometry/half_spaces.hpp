@@ -25,6 +25,20 @@ public:
   /// Call after the last add, which came in the order of primitives.
   void finish();
   bool empty() const { return primitives_.empty(); }
+
+  /// A plane in world space, scaled so that the largest component of a bound on its absolute normal
+  /// is 1: normal . p - level <= 0.
+  struct Scaled {
+    Vec3 normal;
+    double level;
+  };
+  static Scaled scaled(Placed const& placed, bool outside_counts);
+  /// The two parts of the bound above. @param offset_size sum of the sizes of an offset's
+  /// components
+  static double at_rest(Vec3 const& origin, Vec3 const& origin_error, double offset_size);
+  static double per_t(Vec3 const& direction);
+  /// A plane is nearly parallel below this many times per_t.
+  static constexpr double clear_factor = 1024;
   std::span<PrimitiveId const> primitives() const { return primitives_; }
 
   enum class Verdict : std::uint8_t { Unclear, Nothing, Something };

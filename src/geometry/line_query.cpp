@@ -5,29 +5,53 @@
 
 namespace abbe::geometry {
 
-void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden) {
+namespace {
+
+/// The start on the primitive, when the ray has one there.
+/// @return false when it has none
+bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start) {
+  bool starts = false;
+  if (query.from == nullptr) return false;
+  // Members are in the order of the arriving ray: what goes through leaves from the last face of
+  // the primitive, what comes back from the first.
+  for (Departure::On const& on : query.from->on) {
+    if (on.primitive != primitive) continue;
+    if (starts && !query.from->through) break;
+    start = {on.face, on.was_entering == query.from->through};
+    starts = true;
+  }
+  return starts;
+}
+
+void gather_all(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden,
+                Start const* start) {
   Placed const& placed = query.primitives[primitive];
   Crossings& crossings = query.scratch.crossings;
   crossings.clear();
-  Start start;
-  bool starts = false;
-  if (query.from != nullptr) {
-    // Members are in the order of the arriving ray: what goes through leaves from the last face of
-    // the primitive, what comes back from the first.
-    for (Departure::On const& on : query.from->on) {
-      if (on.primitive != primitive) continue;
-      if (starts && !query.from->through) break;
-      start = {on.face, on.was_entering == query.from->through};
-      starts = true;
-    }
-  }
-  placed.shape().crossings(placed.to_object(query.ray), starts ? &start : nullptr, crossings);
+  placed.shape().crossings(placed.to_object(query.ray), start, crossings);
   for (Crossing const& c : crossings) {
-    bool const at_start =
-        starts ? c.t == 0 : (query.from != nullptr && std::fabs(c.t) <= c.error + c.slack);
+    bool const at_start = start != nullptr
+                              ? c.t == 0
+                              : (query.from != nullptr && std::fabs(c.t) <= c.error + c.slack);
     query.scratch.events.push_back({c.t, c.error, c.slack, primitive, operand, c.face, c.entering,
                                     c.toggles, c.visible && !hidden, at_start});
   }
+}
+
+} // namespace
+
+void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden) {
+  Start start;
+  bool const starts = find_start(query, primitive, start);
+  gather_all(query, primitive, operand, hidden, starts ? &start : nullptr);
+}
+
+void gather_near(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand,
+                 bool hidden) {
+  Start start;
+  bool const starts = find_start(query, primitive, start);
+  if (!starts && query.primitives[primitive].reach().misses(query.ray, query.until)) return;
+  gather_all(query, primitive, operand, hidden, starts ? &start : nullptr);
 }
 
 } // namespace abbe::geometry

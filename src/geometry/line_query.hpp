@@ -20,5 +20,8 @@ struct LineQuery {
 /// Appends the crossings of the whole line with one primitive to scratch.events.
 /// @param hidden the operand has no surface of its own
 void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden);
+/// The same, or nothing where the line does not come near the primitive between its start and
+/// query.until: there are none that count, then.
+void gather_near(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden);
 
 } // namespace abbe::geometry

@@ -25,6 +25,7 @@ Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along
       along_axes_ = along_axes_ && (row == column || off == 0);
     }
   }
+  reach_ = Reach(*this);
 }
 
 Ray Placed::to_object(Ray const& world) const {

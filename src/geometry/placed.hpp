@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/shape.hpp"
+#include "geometry/reach.hpp"
 
 namespace abbe::geometry {
 
@@ -28,6 +28,7 @@ public:
   /// placement.offset is off by at most `rounding` times this.
   Vec3 offset_size() const { return offset_rounding_ / rounding; }
   static constexpr double rounding = gamma_bound(16);
+  Reach const& reach() const { return reach_; }
   /// Bounds in world space, wide enough for the errors of to_object.
   Bounds bounds() const;
 
@@ -36,6 +37,7 @@ private:
   Mat3 size_;
   Vec3 offset_rounding_;
   bool along_axes_; ///< inverse_linear is diagonal
+  Reach reach_;
 };
 
 } // namespace abbe::geometry

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -91,6 +92,10 @@ public:
   virtual std::optional<Vec2> uv(Vec3 const&, std::uint32_t) const { return std::nullopt; }
   /// A line is inside along one interval or not at all, and crossings() gives its (finite) ends.
   virtual bool one_interval() const { return false; }
+  /// A line that keeps clear of this ball about the middle of bounds() has no crossings; "clear" by
+  /// a share of 2^-44 of the radius and of the distance, which the kernel's roundings stay under.
+  /// Infinite where there is no such ball.
+  virtual double ball_radius() const { return std::numeric_limits<double>::infinity(); }
 };
 using ShapePtr = std::shared_ptr<Shape const>;
 

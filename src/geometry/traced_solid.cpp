@@ -90,7 +90,11 @@ void TracedSolid::gather_operands(Query const& query, bool all) const {
   auto const& operands = program_->operands();
   auto const take = [&](std::uint32_t operand) {
     std::size_t const before = query.scratch.events.size();
-    gather(query, operands[operand], operand, program_->hidden(operand));
+    if (all) {
+      gather(query, operands[operand], operand, program_->hidden(operand));
+    } else {
+      gather_near(query, operands[operand], operand, program_->hidden(operand));
+    }
     bool toggles = false;
     for (std::size_t i = before; i < query.scratch.events.size(); ++i) {
       toggles = toggles || query.scratch.events[i].toggles;
@@ -124,7 +128,7 @@ bool TracedSolid::gather_nearest(Query const& query, double& to) const {
   bool inside = false;
   auto const take = [&](std::uint32_t operand) {
     std::size_t const first = events.size();
-    gather(query, operands[operand], operand, false);
+    gather_near(query, operands[operand], operand, false);
     auto const begin = events.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, events.end(), [](Event const& a, Event const& b) { return a.t < b.t; });
     std::size_t next = first; // the first event after the start

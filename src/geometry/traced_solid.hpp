@@ -143,7 +143,11 @@ std::size_t TracedSolid::convex(Query const& query, Take& take) const {
 
 template <class Take>
 bool TracedSolid::single(Query const& query, bool all, Take& take) const {
-  gather(query, only_, 0, false);
+  if (all) {
+    gather(query, only_, 0, false);
+  } else {
+    gather_near(query, only_, 0, false);
+  }
   auto& events = query.scratch.events;
   // Two crossings, in order, is what nearly every shape gives.
   for (std::size_t i = 1; i < events.size(); ++i) {

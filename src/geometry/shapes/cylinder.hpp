@@ -30,6 +30,7 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
+  double ball_radius() const override { return 0x1.6a09e667f3bcdp+0; } // sqrt(2)
 
 private:
   bool open_;

@@ -33,6 +33,7 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
+  double ball_radius() const override { return glm::length(bounds().high - bounds().low) / 2; }
 
 private:
   struct Edge {

@@ -28,6 +28,7 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
+  double ball_radius() const override { return 1; }
 };
 
 std::optional<PlacedShape> make_sphere(Vec3 const& centre, double radius);

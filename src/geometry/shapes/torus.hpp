@@ -30,6 +30,7 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
+  double ball_radius() const override { return major_ + minor_; }
 
 private:
   void all_roots(Ray const& ray, Crossings& out) const;
