@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -52,17 +53,19 @@ struct BoxProbe {
   template <class V>
   bool enter(V const& low, V const& high, double from, double to, double& entry) const {
     constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
+    double in = -std::numeric_limits<double>::infinity(), out = -in;
     for (int i = 0; i < 3; ++i) {
       bool const rising = inverse[i] > 0;
-      double near = (rising ? low[i] - low_origin[i] : high[i] - high_origin[i]) * inverse[i];
-      double far = (rising ? high[i] - high_origin[i] : low[i] - low_origin[i]) * inverse[i];
-      near *= near < 0 ? wide : tight;
-      far *= far < 0 ? tight : wide;
-      if (near > from) from = near; // false for NaN: a line in the face's plane is not rejected
-      if (far < to) to = far;
+      double const near = (rising ? low[i] - low_origin[i] : high[i] - high_origin[i]) * inverse[i];
+      double const far = (rising ? high[i] - high_origin[i] : low[i] - low_origin[i]) * inverse[i];
+      in = near > in ? near : in; // false for NaN: a line in the face's plane is not rejected
+      out = far < out ? far : out;
     }
-    entry = from;
-    return from <= to;
+    // Rounding errors are relative: the widening does not change which is the last, or the first.
+    in *= in < 0 ? wide : tight;
+    out *= out < 0 ? tight : wide;
+    entry = in > from ? in : from;
+    return entry <= (out < to ? out : to);
   }
 };
 

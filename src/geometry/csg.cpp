@@ -74,8 +74,7 @@ void CsgProgram::change(State& state, std::uint32_t node, bool up) const {
   }
 }
 
-void CsgProgram::set(State& state, std::uint32_t operand, bool inside) const {
-  if ((state.inside[operand] != 0) == inside) return;
+void CsgProgram::turn(State& state, std::uint32_t operand, bool inside) const {
   state.inside[operand] = inside ? 1 : 0;
   for (std::uint32_t i = first_leaf_[operand]; i < first_leaf_[operand + 1]; ++i) {
     change(state, leaves_[i].parent, inside != leaves_[i].flip);

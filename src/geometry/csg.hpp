@@ -27,7 +27,9 @@ public:
   };
   /// Outside all operands.
   State const& outside() const { return outside_; }
-  void set(State& state, std::uint32_t operand, bool inside) const;
+  void set(State& state, std::uint32_t operand, bool inside) const {
+    if ((state.inside[operand] != 0) != inside) turn(state, operand, inside);
+  }
   /// Would the value be another if the operand changed sides?
   bool decides(State& state, std::uint32_t operand) const;
 
@@ -44,6 +46,7 @@ private:
     bool hidden = false;
   };
   void flatten(CsgTree const& tree, std::uint32_t parent, bool flip, bool hidden);
+  void turn(State& state, std::uint32_t operand, bool inside) const;
   void change(State& state, std::uint32_t node, bool up) const;
 
   std::vector<Node> nodes_;               ///< nodes_[0]: the root

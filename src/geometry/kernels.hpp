@@ -128,17 +128,15 @@ Slice<L> cube(Line<L> const& l) {
   return {slab_root(in), slab_root(out), in.face, out.face};
 }
 
-/// Ball of radius 1 in the directions that `flat` leaves: (1, 1, 1) sphere, (1, 0, 1) cylinder
-/// along y. The discriminant is taken at the closest approach, as (1 - r)(1 + r).
-template <class L>
-Slice<L> ball(Line<L> line, lane::Vec<L> const& flat, L const& face) {
+/// Ball of radius 1 about the origin, or (`Endless`) about the y axis. The discriminant is taken at
+/// the closest approach, as (1 - r)(1 + r).
+template <bool Endless, class L>
+Slice<L> ball(Line<L> line, L const& face) {
   L const zero(0.0), one(1.0), far(infinity);
-  auto const flatten = [&](lane::Vec<L>& v) { v = {v.x * flat.x, v.y * flat.y, v.z * flat.z}; };
-  flatten(line.origin);
-  flatten(line.direction);
-  flatten(line.origin_rounding);
-  flatten(line.direction_rounding);
-  flatten(line.slack);
+  if constexpr (Endless) {
+    line.origin.y = line.direction.y = zero;
+    line.origin_rounding.y = line.direction_rounding.y = line.slack.y = zero;
+  }
   L const a = lane::dot(line.direction, line.direction);
   auto const along = a == zero;
   L const shift = lane::select(along, zero, -lane::dot(line.origin, line.direction) / a);
@@ -167,8 +165,7 @@ Slice<L> ball(Line<L> line, lane::Vec<L> const& flat, L const& face) {
 
 template <class L>
 Slice<L> sphere(Line<L> const& line) {
-  L const one(1.0);
-  return ball(line, {one, one, one}, L(0.0));
+  return ball<false>(line, L(0.0));
 }
 
 /// x^2 + z^2 <= 1, -1 <= y <= 1. Faces: 0 wall, 1 bottom, 2 top.
@@ -176,7 +173,7 @@ template <class L>
 Slice<L> cylinder(Line<L> const& l) {
   Slice<L> const lids = slab(l.origin.y, l.direction.y, l.origin_rounding.y, l.direction_rounding.y,
                              l.slack.y, L(1.0));
-  return common(lids, ball(l, {L(1.0), L(0.0), L(1.0)}, L(0.0)));
+  return common(lids, ball<true>(l, L(0.0)));
 }
 
 /// sqrt(x^2 + z^2) <= middle + rate y, -1 <= y <= 1: the part of a cone on its own side of the

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/line_query.hpp"
 
-#include <cmath>
-
 namespace abbe::geometry {
 
-namespace {
-
-/// The start on the primitive, when the ray has one there.
-/// @return false when it has none
 bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start) {
   bool starts = false;
   if (query.from == nullptr) return false;
@@ -23,6 +17,8 @@ bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start) {
   return starts;
 }
 
+namespace {
+
 void gather_all(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden,
                 Start const* start) {
   Placed const& placed = query.primitives[primitive];
@@ -30,11 +26,8 @@ void gather_all(LineQuery const& query, PrimitiveId primitive, std::uint32_t ope
   crossings.clear();
   placed.shape().crossings(placed.to_object(query.ray), start, crossings);
   for (Crossing const& c : crossings) {
-    bool const at_start = start != nullptr
-                              ? c.t == 0
-                              : (query.from != nullptr && std::fabs(c.t) <= c.error + c.slack);
-    query.scratch.events.push_back({c.t, c.error, c.slack, primitive, operand, c.face, c.entering,
-                                    c.toggles, c.visible && !hidden, at_start});
+    query.scratch.events.push_back({c.t, c.error, primitive, operand, c.face, c.entering, c.toggles,
+                                    c.visible && !hidden, at_start(query, start != nullptr, c)});
   }
 }
 

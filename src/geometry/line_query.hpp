@@ -4,6 +4,8 @@
 #include "geometry/placed.hpp"
 #include "geometry/scratch.hpp"
 
+#include <cmath>
+
 /// One line's question to one solid, and the crossings of single primitives that answer it.
 namespace abbe::geometry {
 
@@ -16,6 +18,14 @@ struct LineQuery {
   /// Passages whose error interval begins after it are not wanted; may shrink while they are taken.
   double const& until;
 };
+
+/// The start on the primitive, when the ray has one there. @return false when it has none
+bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start);
+
+/// Belongs to the group that the ray departs from? @param starts on the crossing's own primitive
+inline bool at_start(LineQuery const& query, bool starts, Crossing const& c) {
+  return starts ? c.t == 0 : query.from != nullptr && std::fabs(c.t) <= c.error + c.slack;
+}
 
 /// Appends the crossings of the whole line with one primitive to scratch.events.
 /// @param hidden the operand has no surface of its own

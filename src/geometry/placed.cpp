@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/placed.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abbe::geometry {
@@ -59,8 +60,8 @@ Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric)
   Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
   // The direction only: scaled to the order of 1 first, so that no square overflows.
   Vec3 const world = source_.placement.normal(n);
-  double const largest =
-      std::fmax(std::fabs(world.x), std::fmax(std::fabs(world.y), std::fabs(world.z)));
+  Vec3 const size = glm::abs(world);
+  double const largest = std::max(size.x, std::max(size.y, size.z));
   return glm::normalize(world / largest);
 }
 

@@ -13,7 +13,6 @@ namespace abbe::geometry {
 struct Event {
   double t = 0;
   double error = 0;
-  double slack = 0;
   PrimitiveId primitive = 0;
   std::uint32_t operand = 0;
   std::uint32_t face = 0;
@@ -41,13 +40,17 @@ struct HalfSpaceScratch {
   }
 };
 
+inline constexpr SolidId no_solid = static_cast<SolidId>(-1);
+
 class Scratch {
 public:
+  /// Asked first by the next World::occluded, whose answer does not depend on it.
+  SolidId last_occluder = no_solid;
   HalfSpaceScratch half_spaces;
   Crossings crossings;
   std::vector<Event> events;
   std::vector<Candidate> candidates;
-  std::vector<Event> members;
+  std::vector<Departure::On> members;
   /// Values of the boolean trees of the world `owner`, put back to "outside" after each use.
   std::uint64_t owner = 0;
   std::vector<CsgProgram::State> states;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace abbe::geometry {
 
@@ -31,6 +32,45 @@ Bounds hull(Bounds const& a, Bounds const& b) {
 } // namespace
 
 namespace {
+
+/// TracedSolid::traits_
+constexpr std::uint8_t carrier = 1, unbounded = 2;
+
+/// Bounded operands outside of all of which the tree is false: few, or none known.
+std::optional<std::vector<std::uint32_t>> carriers_of(CsgTree const& tree,
+                                                      std::vector<PrimitiveId> const& operands,
+                                                      std::vector<Placed> const& primitives) {
+  if (tree.inverse) return std::nullopt;
+  if (tree.op == CsgTree::Op::Primitive) {
+    if (primitives[tree.primitive].bounds().infinite) return std::nullopt;
+    auto const at = std::lower_bound(operands.begin(), operands.end(), tree.primitive);
+    return std::vector{static_cast<std::uint32_t>(at - operands.begin())};
+  }
+  if (tree.children.empty()) return std::nullopt;
+  if (tree.op == CsgTree::Op::Difference) {
+    return carriers_of(tree.children.front(), operands, primitives);
+  }
+  bool const any = tree.op == CsgTree::Op::Merge;
+  std::optional<std::vector<std::uint32_t>> result;
+  for (CsgTree const& child : tree.children) {
+    auto const of_child = carriers_of(child, operands, primitives);
+    if (any && !of_child) return std::nullopt;
+    if (!of_child) continue;
+    if (!result) {
+      result = of_child;
+    } else if (any) {
+      result->insert(result->end(), of_child->begin(), of_child->end());
+    } else if (of_child->size() < result->size()) {
+      result = of_child;
+    }
+    if (any && result->size() > many_operands) return std::nullopt;
+  }
+  if (result) {
+    std::sort(result->begin(), result->end());
+    result->erase(std::unique(result->begin(), result->end()), result->end());
+  }
+  return result;
+}
 
 bool merges_primitives(CsgTree const& tree) {
   if (tree.inverse) return false;
@@ -72,52 +112,63 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
   cut_ = ConvexCut::of(source.tree, *program_, primitives);
   auto const& operands = program_->operands();
   bool const many = operands.size() > many_operands;
+  traits_.assign(operands.size(), 0);
+  if (auto carriers = carriers_of(source.tree, operands, primitives)) {
+    carriers_ = std::move(*carriers);
+    for (std::uint32_t const operand : carriers_) traits_[operand] |= carrier;
+  }
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
     Bounds const bounds = primitives[operands[i]].bounds();
+    if (bounds.infinite && primitives[operands[i]].shape().solid()) {
+      traits_[i] |= unbounded;
+      unbounded_.push_back(i);
+    }
     if (!many || bounds.infinite) {
-      always_.push_back(i);
+      if ((traits_[i] & carrier) == 0) always_.push_back(i);
     } else if (!bounds.empty()) {
       finite_.push_back(i);
       boxes.push_back(bounds);
     }
   }
   operand_bvh_ = Bvh(boxes);
-  merge_ = always_.empty() && merges_primitives(source.tree);
+  merge_ = many && always_.empty() && merges_primitives(source.tree);
 }
 
-void TracedSolid::gather_operands(Query const& query, bool all) const {
-  auto const& operands = program_->operands();
-  auto const take = [&](std::uint32_t operand) {
-    std::size_t const before = query.scratch.events.size();
-    if (all) {
-      gather(query, operands[operand], operand, program_->hidden(operand));
-    } else {
-      gather_near(query, operands[operand], operand, program_->hidden(operand));
-    }
-    bool toggles = false;
-    for (std::size_t i = before; i < query.scratch.events.size(); ++i) {
-      toggles = toggles || query.scratch.events[i].toggles;
-    }
-    if (toggles) return;
-    // The line is inside or outside all along; a bounded shape is not inside a whole line.
-    Placed const& placed = query.primitives[operands[operand]];
-    if (placed.shape().solid() && placed.shape().bounds().infinite) {
-      program_->set(*query.state, operand,
-                    placed.shape().inside(placed.to_object(query.ray.origin)));
-    }
-  };
-  for (std::uint32_t const operand : always_) take(operand);
-  if (finite_.empty()) return;
+void TracedSolid::gather_operand(Query const& query, std::uint32_t operand, bool all) const {
+  PrimitiveId const primitive = program_->operands()[operand];
+  std::size_t const before = query.scratch.events.size();
+  if (all) {
+    gather(query, primitive, operand, program_->hidden(operand));
+  } else {
+    gather_near(query, primitive, operand, program_->hidden(operand));
+  }
+  if ((traits_[operand] & unbounded) == 0) return;
+  for (std::size_t i = before; i < query.scratch.events.size(); ++i) {
+    if (query.scratch.events[i].toggles) return;
+  }
+  // The line is inside or outside all along; a bounded shape is not inside a whole line.
+  Placed const& placed = query.primitives[primitive];
+  program_->set(*query.state, operand, placed.shape().inside(placed.to_object(query.ray.origin)));
+}
+
+bool TracedSolid::gather_operands(Query const& query, bool all) const {
+  if (!carriers_.empty()) {
+    for (std::uint32_t const operand : carriers_) gather_operand(query, operand, all);
+    if (!all && query.scratch.events.empty()) return false;
+  }
+  for (std::uint32_t const operand : always_) gather_operand(query, operand, all);
+  if (finite_.empty()) return true;
   // Behind the start, an operand's crossings leave it outside: as if there were none.
   double const to = all ? everywhere : query.until;
   walk(std::span<BvhNode const>(operand_bvh_.nodes()),
        std::span<std::uint32_t const>(operand_bvh_.items()),
        BoxProbe(query.ray, query.ray.origin_error), all ? -everywhere : 0.0, to,
        [&](std::uint32_t item) {
-         take(finite_[item]);
+         if ((traits_[finite_[item]] & carrier) == 0) gather_operand(query, finite_[item], all);
          return true;
        });
+  return true;
 }
 
 /// The operands of a merge that may be met up to the first way in. `to`: how far they are complete.
@@ -258,7 +309,7 @@ void TracedSolid::restore(Query const& query) const {
   for (Event const& event : query.scratch.events) {
     program_->set(*query.state, event.operand, false);
   }
-  for (std::uint32_t const operand : always_) program_->set(*query.state, operand, false);
+  for (std::uint32_t const operand : unbounded_) program_->set(*query.state, operand, false);
 }
 
 } // namespace abbe::geometry

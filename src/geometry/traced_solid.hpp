@@ -59,7 +59,9 @@ public:
 
 private:
   template <class Take>
-  bool single(Query const& query, bool all, Take& take) const;
+  bool single(Query const& query, Take& take) const;
+  template <class Take>
+  void single_ahead(Query const& query, Take& take) const;
   /// The short way of ConvexCut. @return how many passages were taken, or `all_taken`
   template <class Take>
   std::size_t convex(Query const& query, Take& take) const;
@@ -73,7 +75,9 @@ private:
   /// Groups of the sorted events from `next` on; false when one reaches beyond `to`.
   template <class Take>
   bool groups(Query const& query, std::size_t next, double to, Take& take) const;
-  void gather_operands(Query const& query, bool all) const;
+  /// @return false when there is nothing of the solid on the wanted part of the line
+  bool gather_operands(Query const& query, bool all) const;
+  void gather_operand(Query const& query, std::uint32_t operand, bool all) const;
   bool gather_nearest(Query const& query, double& to) const;
   /// Sorts, and puts the state to that at t = -infinity.
   void sort_events(Query const& query) const;
@@ -93,17 +97,36 @@ private:
   Bounds bounds_;
   Bvh operand_bvh_;                   ///< over finite operands when there are many
   std::vector<std::uint32_t> finite_; ///< item of operand_bvh_ -> operand
-  std::vector<std::uint32_t> always_; ///< operands tested for each ray
+  std::vector<std::uint32_t> always_; ///< operands tested for each ray, but carriers
+  /// Bounded operands outside of all of which the line is outside of the solid; none when there are
+  /// no such or many. They come first: where they have no crossing, nothing has.
+  std::vector<std::uint32_t> carriers_;
+  std::vector<std::uint32_t> unbounded_; ///< operands that a whole line may be in
+  std::vector<std::uint8_t> traits_;     ///< by operand: of these two
 };
 
 /// Bounds of a boolean tree: an intersection lies in what its children have in common, a difference
 /// and a clipped solid in the first child.
 Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives);
 
+/// By t; few, and nearly in order.
+template <class Item>
+void sort_few(std::vector<Item>& items) {
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    for (std::size_t j = i; j > 0 && items[j].t < items[j - 1].t; --j) {
+      std::swap(items[j], items[j - 1]);
+    }
+  }
+}
+
 template <class Take>
 bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
   query.scratch.events.clear();
-  if (!program_) return single(query, all, take);
+  if (!program_) {
+    if (all) return single(query, take);
+    single_ahead(query, take);
+    return false;
+  }
   if (all || !(cut_ || merge_)) return boolean(query, all, take);
   std::size_t taken = cut_ ? convex(query, take) : nearest(query, take);
   if (taken == all_taken) return false;
@@ -142,42 +165,58 @@ std::size_t TracedSolid::convex(Query const& query, Take& take) const {
 }
 
 template <class Take>
-bool TracedSolid::single(Query const& query, bool all, Take& take) const {
-  if (all) {
-    gather(query, only_, 0, false);
-  } else {
-    gather_near(query, only_, 0, false);
-  }
+void TracedSolid::single_ahead(Query const& query, Take& take) const {
+  Start start;
+  bool const starts = find_start(query, only_, start);
+  Placed const& placed = query.primitives[only_];
+  if (!starts && placed.reach().misses(query.ray, query.until)) return;
+  Crossings& crossings = query.scratch.crossings;
+  crossings.clear();
+  placed.shape().crossings(placed.to_object(query.ray), starts ? &start : nullptr, crossings);
+  sort_few(crossings);
   auto& events = query.scratch.events;
-  // Two crossings, in order, is what nearly every shape gives.
-  for (std::size_t i = 1; i < events.size(); ++i) {
-    for (std::size_t j = i; j > 0 && events[j].t < events[j - 1].t; --j) {
-      std::swap(events[j], events[j - 1]);
-    }
-  }
-  bool inside = false;
-  if (all) {
-    Event const* first = nullptr;
-    for (Event const& event : events) {
-      if (event.toggles && first == nullptr) first = &event;
-    }
-    Placed const& placed = query.primitives[only_];
-    inside = (first != nullptr ? !first->entering
-                               : placed.shape().inside(placed.to_object(query.ray.origin)))
-             != inverse_;
-  }
-  bool const before = inside;
-  bool known = all;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    Event const& event = events[i];
-    if (!all && (event.at_start || !(event.t > 0))) continue;
-    bool const entering = event.entering != inverse_;
+  bool inside = false, known = false;
+  for (Crossing const& c : crossings) {
+    if (!(c.t > 0) || at_start(query, starts, c)) continue;
+    bool const entering = c.entering != inverse_;
     // A grazing start can leave a root without its partner: a second entry is none.
-    if (event.toggles && known && entering == inside) continue;
-    if (event.toggles) {
+    if (c.toggles && known && entering == inside) continue;
+    if (c.toggles) {
       inside = entering;
       known = true;
     }
+    events.push_back({c.t, c.error, only_, 0, c.face, c.entering, c.toggles, c.visible, false});
+    std::size_t const place = events.size() - 1;
+    if (!take(Passage{{id_, only_, c.face, c.t, entering, c.toggles},
+                      c.error,
+                      c.visible,
+                      inside,
+                      place,
+                      place + 1})) {
+      return;
+    }
+  }
+}
+
+template <class Take>
+bool TracedSolid::single(Query const& query, Take& take) const {
+  gather(query, only_, 0, false);
+  auto& events = query.scratch.events;
+  sort_few(events);
+  Event const* first = nullptr;
+  for (Event const& event : events) {
+    if (event.toggles && first == nullptr) first = &event;
+  }
+  Placed const& placed = query.primitives[only_];
+  bool inside = (first != nullptr ? !first->entering
+                                  : placed.shape().inside(placed.to_object(query.ray.origin)))
+                != inverse_;
+  bool const before = inside;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    Event const& event = events[i];
+    bool const entering = event.entering != inverse_;
+    if (event.toggles && entering == inside) continue;
+    if (event.toggles) inside = entering;
     Passage const passage{{id_, only_, event.face, event.t, entering, event.toggles},
                           event.error,
                           event.visible,
@@ -208,7 +247,7 @@ std::size_t TracedSolid::nearest(Query const& query, Take& take) const {
 
 template <class Take>
 bool TracedSolid::boolean(Query const& query, bool all, Take& take) const {
-  gather_operands(query, all);
+  if (!gather_operands(query, all)) return false;
   sort_events(query);
   std::size_t const next = all ? 0 : pass_start(query);
   bool const before = query.state->value;

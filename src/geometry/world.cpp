@@ -45,11 +45,13 @@ struct World::Impl {
   /// visit(solid) for those that the line may meet in [low, high]; false stops.
   template <class Visit>
   void each_solid(Ray const& ray, double low, double const& high, Visit&& visit) const {
-    for (SolidId const id : infinite) {
-      if (!visit(id)) return;
-    }
+    bool goes_on = true;
     walk(std::span<BvhNode const>(bvh.nodes()), std::span<std::uint32_t const>(bvh.items()),
-         BoxProbe(ray), low, high, [&](std::uint32_t item) { return visit(finite[item]); });
+         BoxProbe(ray), low, high, [&](std::uint32_t item) {
+           goes_on = visit(finite[item]);
+           return goes_on;
+         });
+    for (std::size_t i = 0; goes_on && i < infinite.size(); ++i) goes_on = visit(infinite[i]);
   }
 };
 
@@ -93,12 +95,14 @@ void settle(Ray const& ray, Scratch& scratch, std::size_t nearest, HitGroup& out
   double const end = t + candidates[nearest].error;
   SolidId const first_solid = candidates[nearest].crossing.solid;
   auto const near = [&](Candidate const& c) { return c.crossing.t - c.error <= end; };
-  bool const several = std::any_of(candidates.begin(), candidates.end(), [&](Candidate const& c) {
-    return c.crossing.solid != first_solid && near(c);
-  });
+  bool const several =
+      candidates.size() > 1
+      && std::any_of(candidates.begin(), candidates.end(), [&](Candidate const& c) {
+           return c.crossing.solid != first_solid && near(c);
+         });
   if (!several) {
     // A solid's own events are distinct, however close.
-    candidates[0] = candidates[nearest];
+    if (nearest > 0) candidates[0] = candidates[nearest];
     candidates.resize(1);
   } else {
     std::erase_if(candidates, [&](Candidate const& c) { return !near(c); });
@@ -113,10 +117,8 @@ void settle(Ray const& ray, Scratch& scratch, std::size_t nearest, HitGroup& out
   for (Candidate const& c : candidates) {
     out.error = std::max(out.error, std::fabs(c.crossing.t - t) + c.error);
     out.crossings.push_back(c.crossing);
-    for (std::uint32_t i = 0; i < c.members; ++i) {
-      Event const& event = scratch.members[c.first_member + i];
-      out.members.push_back({event.primitive, event.face, event.entering});
-    }
+    auto const first = scratch.members.begin() + c.first_member;
+    out.members.insert(out.members.end(), first, first + c.members);
   }
   Vec3 const step = t * ray.direction;
   out.point = ray.origin + step;
@@ -132,6 +134,7 @@ bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, do
   scratch.candidates.clear();
   scratch.members.clear();
   double best = everywhere, best_end = t_max;
+  double begin = everywhere; // of the first candidate's error interval
   std::size_t nearest = 0;
   impl_->each_solid(ray, 0.0, best_end, [&](SolidId id) {
     TracedSolid const& solid = impl_->solids[id];
@@ -145,13 +148,20 @@ bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, do
                      if (crossing.t < best) {
                        best = crossing.t;
                        best_end = crossing.t + passage.error;
+                       // Clear of all before it: they are out of the question.
+                       if (best_end < begin) {
+                         scratch.candidates.clear();
+                         scratch.members.clear();
+                         begin = everywhere;
+                       }
                        nearest = scratch.candidates.size();
                      }
+                     begin = std::min(begin, crossing.t - passage.error);
                      auto const first = static_cast<std::uint32_t>(scratch.members.size());
-                     auto const events = scratch.events.begin();
-                     scratch.members.insert(scratch.members.end(),
-                                            events + static_cast<std::ptrdiff_t>(passage.first),
-                                            events + static_cast<std::ptrdiff_t>(passage.last));
+                     for (std::size_t i = passage.first; i < passage.last; ++i) {
+                       Event const& event = scratch.events[i];
+                       scratch.members.push_back({event.primitive, event.face, event.entering});
+                     }
                      scratch.candidates.push_back(
                          {crossing, passage.error, first,
                           static_cast<std::uint32_t>(passage.last - passage.first)});
@@ -168,7 +178,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
                      Scratch& scratch) const {
   impl_->prepare(scratch);
   bool found = false;
-  impl_->each_solid(ray, 0.0, t_max, [&](SolidId id) {
+  auto const ask = [&](SolidId id) {
     TracedSolid const& solid = impl_->solids[id];
     if ((solid.mask() & mask) == 0) return true;
     solid.passages(impl_->query(id, ray, from, scratch, t_max), false,
@@ -177,8 +187,14 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
                      found = passage.visible;
                      return !found;
                    });
+    if (found) scratch.last_occluder = id;
     return !found;
-  });
+  };
+  // Neighbouring rays meet the same.
+  SolidId const last = scratch.last_occluder;
+  if (last < impl_->solids.size() && !ask(last)) return true;
+  impl_->each_solid(ray, 0.0, t_max, [&](SolidId id) { return id == last || ask(id); });
+  if (!found) scratch.last_occluder = no_solid;
   return found;
 }
 

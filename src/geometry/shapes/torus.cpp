@@ -94,8 +94,8 @@ void Torus::all_roots(Ray const& ray, Crossings& out) const {
 
   auto const f = [&](double w) {
     Vec3 const at = q + w * e;
-    double const rho = std::hypot(at.x, at.z), g = rho - major_;
-    double const tube = std::hypot(g, at.y);
+    double const rho = std::sqrt(at.x * at.x + at.z * at.z), g = rho - major_;
+    double const tube = std::sqrt(g * g + at.y * at.y);
     double const turn = rho == 0 ? 0 : (at.x * e.x + at.z * e.z) / rho;
     return std::pair{(tube - minor_) * (tube + minor_), 2 * (g * turn + at.y * e.y)};
   };
