@@ -51,6 +51,8 @@ public:
   std::vector<Event> events;
   std::vector<Candidate> candidates;
   std::vector<Departure::On> members;
+  HitGroup beyond;   ///< what is in contact with a group
+  Departure through; ///< from that group on
   /// Values of the boolean trees of the world `owner`, put back to "outside" after each use.
   std::uint64_t owner = 0;
   std::vector<CsgProgram::State> states;

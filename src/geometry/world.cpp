@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/world.hpp"
 
+#include "geometry/contact.hpp"
 #include "geometry/traced_solid.hpp"
 
 #include <algorithm>
@@ -28,7 +29,12 @@ struct World::Impl {
   std::vector<SolidId> infinite;
   std::vector<SolidId> finite; ///< item of bvh -> solid
   Bvh bvh;
+  Contacts contacts; ///< by solid
 
+  bool first_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                   Scratch& scratch, HitGroup& out) const;
+  void join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
+                    HitGroup& out) const;
   void prepare(Scratch& scratch) const {
     if (scratch.owner == number) return;
     scratch.states.assign(states, {});
@@ -62,7 +68,7 @@ ScratchPtr World::make_scratch() {
   return ScratchPtr(new Scratch);
 }
 
-World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids)
+World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, double contact)
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.primitives.reserve(primitives.size());
@@ -81,6 +87,12 @@ World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids)
     }
   }
   impl.bvh = Bvh(boxes);
+  if (!(contact > 0)) return;
+  std::vector<Bounds> joining;
+  for (SolidId id = 0; id < solids.size(); ++id) {
+    joining.push_back(solids[id].joins ? impl.solids[id].bounds() : Bounds{});
+  }
+  impl.contacts = Contacts(joining, contact);
 }
 
 World::~World() = default;
@@ -128,49 +140,99 @@ void settle(Ray const& ray, Scratch& scratch, std::size_t nearest, HitGroup& out
 
 } // namespace
 
-bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                    Scratch& scratch, HitGroup& out) const {
-  impl_->prepare(scratch);
+bool World::Impl::first_group(Ray const& ray, Departure const* from, std::uint8_t mask,
+                              double t_max, Scratch& scratch, HitGroup& out) const {
+  prepare(scratch);
   scratch.candidates.clear();
   scratch.members.clear();
   double best = everywhere, best_end = t_max;
   double begin = everywhere; // of the first candidate's error interval
   std::size_t nearest = 0;
-  impl_->each_solid(ray, 0.0, best_end, [&](SolidId id) {
-    TracedSolid const& solid = impl_->solids[id];
+  each_solid(ray, 0.0, best_end, [&](SolidId id) {
+    TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
-    solid.passages(impl_->query(id, ray, from, scratch, best_end), false,
-                   [&](TracedSolid::Passage const& passage) {
-                     SurfaceCrossing const& crossing = passage.crossing;
-                     if (!(crossing.t < t_max) || crossing.t - passage.error > best_end)
-                       return false;
-                     if (!passage.visible) return true;
-                     if (crossing.t < best) {
-                       best = crossing.t;
-                       best_end = crossing.t + passage.error;
-                       // Clear of all before it: they are out of the question.
-                       if (best_end < begin) {
-                         scratch.candidates.clear();
-                         scratch.members.clear();
-                         begin = everywhere;
-                       }
-                       nearest = scratch.candidates.size();
-                     }
-                     begin = std::min(begin, crossing.t - passage.error);
-                     auto const first = static_cast<std::uint32_t>(scratch.members.size());
-                     for (std::size_t i = passage.first; i < passage.last; ++i) {
-                       Event const& event = scratch.events[i];
-                       scratch.members.push_back({event.primitive, event.face, event.entering});
-                     }
-                     scratch.candidates.push_back(
-                         {crossing, passage.error, first,
-                          static_cast<std::uint32_t>(passage.last - passage.first)});
-                     return true;
-                   });
+    solid.passages(
+        query(id, ray, from, scratch, best_end), false, [&](TracedSolid::Passage const& passage) {
+          SurfaceCrossing const& crossing = passage.crossing;
+          if (!(crossing.t < t_max) || crossing.t - passage.error > best_end) return false;
+          if (!passage.visible) return true;
+          if (crossing.t < best) {
+            best = crossing.t;
+            best_end = crossing.t + passage.error;
+            // Clear of all before it: they are out of the question.
+            if (best_end < begin) {
+              scratch.candidates.clear();
+              scratch.members.clear();
+              begin = everywhere;
+            }
+            nearest = scratch.candidates.size();
+          }
+          begin = std::min(begin, crossing.t - passage.error);
+          auto const first = static_cast<std::uint32_t>(scratch.members.size());
+          for (std::size_t i = passage.first; i < passage.last; ++i) {
+            Event const& event = scratch.events[i];
+            scratch.members.push_back({event.primitive, event.face, event.entering});
+          }
+          scratch.candidates.push_back({crossing, passage.error, first,
+                                        static_cast<std::uint32_t>(passage.last - passage.first)});
+          return true;
+        });
     return true;
   });
   if (scratch.candidates.empty()) return false;
   settle(ray, scratch, nearest, out);
+  return true;
+}
+
+/// The rule of Contacts: the gap is measured across, whatever the ray's obliquity, and must be
+/// empty.
+void World::Impl::join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
+                               HitGroup& out) const {
+  SurfaceCrossing const* left = nullptr;
+  double widest = 0;
+  for (SurfaceCrossing const& crossing : out.crossings) {
+    if (crossing.entering || !crossing.toggles) return;
+    double const reach = contacts.reach(crossing.solid);
+    if (reach > widest) {
+      widest = reach;
+      left = &crossing;
+    }
+  }
+  if (left == nullptr) return;
+  SolidId const leaves = left->solid;
+  Vec3 const normal = primitives[left->primitive].normal(left->face, out.point, true);
+  double const steep = std::fabs(glm::dot(ray.direction, normal));
+  HitGroup& beyond = scratch.beyond;
+  scratch.through.on = out.members;
+  scratch.through.through = true;
+  if (!first_group({out.point, ray.direction, out.point_error}, &scratch.through, mask,
+                   std::min(widest / steep, t_max - out.t), scratch, beyond)) {
+    return;
+  }
+  double gap = everywhere;
+  for (SurfaceCrossing const& crossing : beyond.crossings) {
+    if (!crossing.entering || !crossing.toggles) continue;
+    Vec3 const facing = primitives[crossing.primitive].normal(crossing.face, beyond.point, true);
+    double const across = beyond.t * std::max(steep, std::fabs(glm::dot(ray.direction, facing)));
+    if (across <= contacts.reach(leaves, crossing.solid)) gap = std::min(gap, across);
+  }
+  if (!(gap < everywhere)) return;
+  for (SurfaceCrossing crossing : beyond.crossings) {
+    crossing.t = out.t;
+    out.crossings.push_back(crossing);
+  }
+  std::stable_sort(
+      out.crossings.begin(), out.crossings.end(),
+      [](SurfaceCrossing const& a, SurfaceCrossing const& b) { return a.solid < b.solid; });
+  out.members.insert(out.members.end(), beyond.members.begin(), beyond.members.end());
+  // So far is the point from the surface beyond.
+  out.point_error += gap * glm::abs(normal);
+}
+
+bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                    Scratch& scratch, HitGroup& out) const {
+  if (!impl_->first_group(ray, from, mask, t_max, scratch, out)) return false;
+  if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
   return true;
 }
 

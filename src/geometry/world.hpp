@@ -80,10 +80,12 @@ public:
   struct Solid {
     CsgTree tree;
     std::uint8_t mask = 0xff;
+    bool joins = false; ///< a medium: may be in contact with others (Contacts)
   };
   /// @param primitives placed shapes, index = PrimitiveId, in coordinates relative to the camera
   /// @param solids index = SolidId
-  World(std::vector<PlacedShape> primitives, std::vector<Solid> solids);
+  /// @param contact share of the extent that counts as contact of solids that join; 0: none
+  World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, double contact = 0);
   ~World();
   World(World&&) noexcept;
 
@@ -91,6 +93,8 @@ public:
 
   /// The first group of crossings with t > 0 (beyond the departure's own group), of solids with a
   /// bit of `mask`. @return false when the ray meets nothing before t_max
+  /// Where the ray leaves one solid and the next that it meets is in contact with that one, both
+  /// are one group, at the surface that is left.
   bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
                HitGroup& out) const;
   /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?

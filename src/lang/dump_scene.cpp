@@ -249,9 +249,9 @@ private:
                                                 i.glass->absorbs() ? " absorbs" : "")
                                   : fmt::format("ior {} dispersion {} samples {}", text(i.ior),
                                                 text(i.pov_dispersion), i.pov_dispersion_samples);
-    line("interior {} mode {} caustics {} fade_distance {} fade_power {} fade_color {}", glass,
+    line("interior {} mode {} caustics {} fade_distance {} fade_power {} fade_color {}{}", glass,
          text(i.dispersion), text(i.caustics), text(i.fade_distance), text(i.fade_power),
-         text(i.fade_colour));
+         text(i.fade_colour), i.priority != 0 ? fmt::format(" priority {}", i.priority) : "");
   }
 
   std::string out_;

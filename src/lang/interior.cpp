@@ -93,6 +93,8 @@ void read_interior(Reader& in, Interior& interior) {
     } else if (in.accept("ior")) {
       interior.ior = read_ior(in);
       ior_at = at;
+    } else if (in.accept("priority")) {
+      interior.priority = in.integer("priority", -1000000, 1000000);
     } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)
                && !read_fade(in, interior)) {
       reject(in, "an interior item");

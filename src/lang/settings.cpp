@@ -112,6 +112,18 @@ bool read_ignored(Reader& in) {
   return true;
 }
 
+double read_contact(Reader& in) {
+  Span const at = in.next_span();
+  double const share = in.number("contact");
+  if (share >= 0 && share < 1) return share;
+  in.report(Severity::Error, "E0353",
+            fmt::format("contact is a share of the smaller solid's extent, at least 0 and below 1, "
+                        "not {}",
+                        share),
+            at);
+  return Settings::default_contact;
+}
+
 bool read_item(Reader& in, Settings& settings) {
   if (in.open("spectral")) {
     read_spectral(in, settings.spectral);
@@ -120,6 +132,8 @@ bool read_item(Reader& in, Settings& settings) {
     read_gamma(in, settings);
   } else if (in.accept("adc_bailout")) {
     settings.adc_bailout = in.number("adc_bailout");
+  } else if (in.accept("contact")) {
+    settings.contact = read_contact(in);
   } else if (in.accept("ambient_light")) {
     settings.ambient_light = read_rgb(in, "ambient_light");
   } else if (in.accept("max_trace_level")) {

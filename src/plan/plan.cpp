@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/plan.hpp"
 
+#include "plan/contact.hpp"
 #include "plan/dispersion.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,9 @@ public:
     if (scene_.sky_sphere)
       for (auto const& pigment : scene_.sky_sphere->pigments) this->pigment(pigment, false);
     for (auto const& object : scene_.objects) this->object(object);
+    if (plan_.has(Effect::Refraction))
+      if (auto const contact = find_contact(scene_))
+        find(Effect::ContactOfMedia, contact->reason, contact->span);
   }
 
 private:
@@ -139,6 +143,8 @@ std::string_view effect_name(Effect effect) {
     return "reflection";
   case Effect::Refraction:
     return "refraction";
+  case Effect::ContactOfMedia:
+    return "contact of media";
   case Effect::Dispersion:
     return "dispersion";
   case Effect::StochasticDispersion:

@@ -17,6 +17,7 @@ enum class Effect : std::uint8_t {
   SpectralTransport,
   Reflection,
   Refraction,
+  ContactOfMedia,
   Dispersion,
   StochasticDispersion,
   Absorption,
@@ -26,7 +27,7 @@ enum class Effect : std::uint8_t {
   Patterns,
   Csg
 };
-inline constexpr int effect_count = 11;
+inline constexpr int effect_count = 12;
 std::string_view effect_name(Effect);
 
 struct Finding {

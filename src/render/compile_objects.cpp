@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_objects.hpp"
 
+#include "geometry/shapes/mesh.hpp"
+
 #include <algorithm>
 #include <span>
 #include <unordered_map>
@@ -26,10 +28,11 @@ public:
                  MediaCompiler& media, Stage& stage)
       : scene_(scene), colours_(colours), pigments_(pigments), media_(media), stage_(stage) {}
 
-  void run() {
+  void run(double contact) {
     for (auto const& object : scene_.objects)
       for (auto& piece : pieces(object)) add_solid(std::move(piece));
-    stage_.world = std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_));
+    stage_.world =
+        std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_), contact);
   }
 
 private:
@@ -38,10 +41,22 @@ private:
     if (piece.interior) {
       solid.has_medium = true;
       solid.medium = media_.add(piece.interior);
+      solid.priority = piece.interior->priority;
+      solid.leaks = leaks(piece.tree);
+      stage_.has_priorities = stage_.has_priorities || solid.priority != 0;
+      stage_.has_leaks = stage_.has_leaks || solid.leaks;
     }
+    bool const refracts = stage_.media[static_cast<std::size_t>(solid.medium)].refracts();
     stage_.solids.push_back(solid);
     if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
-    solids_.push_back({std::move(piece.tree), piece.mask});
+    solids_.push_back({std::move(piece.tree), piece.mask, refracts});
+  }
+
+  bool leaks(CsgTree const& tree) const {
+    if (tree.op == CsgTree::Op::Primitive)
+      return geometry::leaks(*primitives_[tree.primitive].shape);
+    return std::any_of(tree.children.begin(), tree.children.end(),
+                       [this](CsgTree const& child) { return leaks(child); });
   }
 
   /// The solids that an object is made of. In a finished scene every leaf stands in world space and
@@ -227,9 +242,9 @@ private:
 
 } // namespace
 
-void compile_objects(scene::Scene const& scene, ColourCompiler& colours, PigmentCompiler& pigments,
-                     MediaCompiler& media, Stage& stage) {
-  ObjectCompiler(scene, colours, pigments, media, stage).run();
+void compile_objects(scene::Scene const& scene, double contact, ColourCompiler& colours,
+                     PigmentCompiler& pigments, MediaCompiler& media, Stage& stage) {
+  ObjectCompiler(scene, colours, pigments, media, stage).run(contact);
 }
 
 } // namespace abbe::render

@@ -280,17 +280,20 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
   Tracer::Frame& frame = tracer_.frame(tracer_.depth_);
   double rest = distance;
   bool lit = true;
+  Beam light = beam_; // what is left of it
+  light.throughput = left;
   while (lit
          && tracer_.stage_.world->closest(way.line, way.from, filter_shadow_bit, rest,
                                           *tracer_.scratch_, frame.hit)) {
+    way.inside = tracer_.travel(way, frame.hit.t, light);
     Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(way.inside))];
     InsideNode const* next = tracer_.after_crossings(way.inside, frame.hit);
-    bool const leaves = tracer_.medium_of(next) != tracer_.medium_of(way.inside);
-    for (int k = 0; k < beam_.lanes; ++k) {
-      if (!medium.absorption.empty())
-        left[k] *= std::exp(-medium.absorption[beam_.channel[k]] * frame.hit.t);
-      if (leaves) left[k] *= distance_fade(medium, beam_.channel[k], frame.hit.t);
-    }
+    if (stage_.has_priorities) tracer_.drop_displaced(way.inside, next, frame.hit);
+    double const travelled = way.travelled + frame.hit.t;
+    way.travelled = frame.hit.crossings.empty() ? travelled : 0;
+    if (tracer_.medium_of(next) != tracer_.medium_of(way.inside))
+      for (int k = 0; k < beam_.lanes; ++k)
+        left[k] *= distance_fade(medium, beam_.channel[k], travelled);
     for (auto const& crossing : frame.hit.crossings) {
       for (int const number : stage_.surfaces[crossing.primitive].layers) {
         Arena::Scope const scope(tracer_.arena_);
@@ -314,10 +317,11 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
     if (!(rest > 0)) break;
   }
   if (lit) {
-    Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(way.inside))];
-    if (!medium.absorption.empty())
-      for (int k = 0; k < beam_.lanes; ++k)
-        left[k] *= std::exp(-medium.absorption[beam_.channel[k]] * std::max(rest, 0.0));
+    rest = std::max(rest, 0.0);
+    InsideNode const* const at_lamp = tracer_.travel(way, rest, light);
+    Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(at_lamp))];
+    for (int k = 0; k < beam_.lanes; ++k) // the lamp stands in it
+      left[k] *= distance_fade(medium, beam_.channel[k], way.travelled + rest);
   }
   --tracer_.depth_;
 }

@@ -75,6 +75,7 @@ struct Medium {
   int jitter = -1; ///< number of its jitter configuration (stochastic modes)
   double fade_distance = 0, fade_power = 0;
   Channels fade_colour;
+  bool refracts() const { return dispersive || index_d != 1; }
 };
 
 /// Everything about the surface of a primitive.
@@ -88,6 +89,8 @@ struct Surface {
 struct CompiledSolid {
   int medium = 0;          ///< of its inside
   bool has_medium = false; ///< an interior was given: it counts as a medium
+  int priority = 0;        ///< of the medium among those that overlap
+  bool leaks = false;      ///< rays may enter it and not leave it: left at its bounds
 };
 
 struct CompiledLight {
@@ -138,6 +141,8 @@ struct Stage {
   double brightest = 0;         ///< no path returns more: bound of the radiance, any channel
   double opacity_version = 3.7; ///< < 3.7: POV-Ray's older rule of opacity
   bool has_filter_shadows = false;
+  bool has_priorities = false;   ///< some medium has another priority than 0
+  bool has_leaks = false;        ///< some medium's solid leaks
   std::vector<Vec3> rgb_weights; ///< colour of one unit of each channel
 };
 

@@ -12,6 +12,21 @@
 
 namespace abbe::render {
 
+namespace {
+
+/// Where a line has left a box for good; infinite for one without bounds.
+double exit_of(geometry::Bounds const& box, geometry::Ray const& line) {
+  double exit = std::numeric_limits<double>::infinity();
+  if (box.infinite) return exit;
+  for (int i = 0; i < 3; ++i) {
+    double const d = line.direction[i];
+    if (d != 0) exit = std::min(exit, ((d > 0 ? box.high[i] : box.low[i]) - line.origin[i]) / d);
+  }
+  return exit;
+}
+
+} // namespace
+
 void RayCounts::add(RayCounts const& other) {
   camera += other.camera;
   reflected += other.reflected;
@@ -92,35 +107,59 @@ InsideNode const* Tracer::inside_at(Vec3 const& point) {
 }
 
 int Tracer::medium_of(InsideNode const* inside) const {
-  return inside ? stage_.solids[inside->solid].medium : 0;
+  InsideNode const* const node = ruling(inside);
+  return node ? stage_.solids[node->solid].medium : 0;
+}
+
+InsideNode const* Tracer::ruling(InsideNode const* inside) const {
+  if (!stage_.has_priorities || !inside) return inside;
+  InsideNode const* best = inside;
+  for (InsideNode const* node = inside->below; node; node = node->below)
+    if (stage_.solids[node->solid].priority > stage_.solids[best->solid].priority) best = node;
+  return best;
+}
+
+void Tracer::drop_displaced(InsideNode const* before, InsideNode const* after,
+                            geometry::HitGroup& hit) const {
+  InsideNode const *const here = ruling(before), *const there = ruling(after);
+  if (!here || !there) return;
+  int const least =
+      std::min(stage_.solids[here->solid].priority, stage_.solids[there->solid].priority);
+  std::erase_if(hit.crossings, [&](geometry::SurfaceCrossing const& crossing) {
+    CompiledSolid const& solid = stage_.solids[crossing.solid];
+    return crossing.toggles && solid.has_medium && solid.priority < least;
+  });
+}
+
+InsideNode const* Tracer::without(InsideNode const* inside, geometry::SolidId solid) {
+  InsideNode const* found = inside;
+  while (found && found->solid != solid) found = found->below;
+  if (!found) return inside;
+  // What was entered after it is put back in order.
+  InsideNode const* rebuilt = found->below;
+  int above = 0;
+  for (InsideNode const* n = inside; n != found; n = n->below) ++above;
+  for (; above > 0; --above) {
+    InsideNode const* n = inside;
+    for (int i = 1; i < above; ++i) n = n->below;
+    auto* const node = arena_.take<InsideNode>(1);
+    *node = {n->solid, rebuilt};
+    rebuilt = node;
+  }
+  return rebuilt;
 }
 
 InsideNode const* Tracer::after_crossings(InsideNode const* inside, geometry::HitGroup const& hit) {
-  auto const push = [this](geometry::SolidId solid, InsideNode const* below) {
-    auto* node = arena_.take<InsideNode>(1);
-    *node = {solid, below};
-    return static_cast<InsideNode const*>(node);
-  };
-  for (auto const& crossing : hit.crossings) {
-    if (crossing.entering || !crossing.toggles || !stage_.solids[crossing.solid].has_medium)
-      continue;
-    // Take the solid out of the list: what was entered after it is put back in order.
-    InsideNode const* found = inside;
-    while (found && found->solid != crossing.solid) found = found->below;
-    if (!found) continue;
-    InsideNode const* rebuilt = found->below;
-    int above = 0;
-    for (InsideNode const* n = inside; n != found; n = n->below) ++above;
-    for (; above > 0; --above) {
-      InsideNode const* n = inside;
-      for (int i = 1; i < above; ++i) n = n->below;
-      rebuilt = push(n->solid, rebuilt);
-    }
-    inside = rebuilt;
-  }
   for (auto const& crossing : hit.crossings)
-    if (crossing.entering && crossing.toggles && stage_.solids[crossing.solid].has_medium)
-      inside = push(crossing.solid, inside);
+    if (!crossing.entering && crossing.toggles && stage_.solids[crossing.solid].has_medium)
+      inside = without(inside, crossing.solid);
+  for (auto const& crossing : hit.crossings) {
+    if (!crossing.entering || !crossing.toggles || !stage_.solids[crossing.solid].has_medium)
+      continue;
+    auto* const node = arena_.take<InsideNode>(1);
+    *node = {crossing.solid, inside};
+    inside = node;
+  }
   return inside;
 }
 
@@ -163,24 +202,43 @@ void Tracer::absorb(Beam& beam, Medium const& medium, double distance) {
   }
 }
 
+InsideNode const* Tracer::travel(PathRay const& ray, double distance, Beam& beam) {
+  bool const escapes = !(distance < std::numeric_limits<double>::infinity());
+  InsideNode const* inside = ray.inside;
+  double at = 0;
+  for (;;) {
+    InsideNode const* left = nullptr;
+    double end = distance;
+    for (InsideNode const* node = inside; node && (escapes || stage_.has_leaks);
+         node = node->below) {
+      if (!escapes && !stage_.solids[node->solid].leaks) continue;
+      double const exit = exit_of(stage_.world->bounds(node->solid), ray.line);
+      if (!(exit < end)) continue;
+      end = exit;
+      left = node;
+    }
+    Medium const& medium = stage_.media[static_cast<std::size_t>(medium_of(inside))];
+    double const part = std::max(end - at, 0.0);
+    absorb(beam, medium, part);
+    if (!left) return inside;
+    InsideNode const* const rest = without(inside, left->solid);
+    if (medium.fade_power != 0 && medium_of(rest) != medium_of(inside))
+      for (int k = 0; k < beam.lanes; ++k)
+        beam.throughput[k] *= distance_fade(medium, beam.channel[k], ray.travelled + part);
+    at = std::max(at, end);
+    inside = rest;
+  }
+}
+
 void Tracer::trace(PathRay const& ray, Beam const& incoming) {
   if (ray.level >= stage_.max_trace_level) return cut(incoming, incoming.lanes);
   ++depth_;
   Frame& here = frame(depth_);
-  if (!stage_.world->closest(ray.line, ray.from, ray.mask, std::numeric_limits<double>::infinity(),
-                             *scratch_, here.hit)) {
-    // The background is infinitely far: nothing of it comes through a medium that absorbs.
-    Medium const& medium = stage_.media[static_cast<std::size_t>(medium_of(ray.inside))];
-    if (medium.absorption.empty()) {
-      add_background(ray.line.direction, incoming);
-    } else {
-      Arena::Scope const scope(arena_);
-      Beam beam = incoming;
-      beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
-      for (int k = 0; k < beam.lanes; ++k)
-        beam.throughput[k] = medium.absorption[beam.channel[k]] > 0 ? 0 : incoming.throughput[k];
-      add_background(ray.line.direction, beam);
-    }
+  double constexpr infinity = std::numeric_limits<double>::infinity();
+  bool const found =
+      stage_.world->closest(ray.line, ray.from, ray.mask, infinity, *scratch_, here.hit);
+  if (!found && !ray.inside) {
+    add_background(ray.line.direction, incoming);
     --depth_;
     return;
   }
@@ -188,8 +246,12 @@ void Tracer::trace(PathRay const& ray, Beam const& incoming) {
   Beam beam = incoming;
   beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::copy_n(incoming.throughput, beam.lanes, beam.throughput);
-  absorb(beam, stage_.media[static_cast<std::size_t>(medium_of(ray.inside))], here.hit.t);
-  interact(ray, beam, here);
+  PathRay arriving = ray;
+  arriving.inside = travel(ray, found ? here.hit.t : infinity, beam);
+  if (found)
+    interact(arriving, beam, here);
+  else
+    add_background(ray.line.direction, beam); // infinitely far: nothing comes through what absorbs
   --depth_;
 }
 

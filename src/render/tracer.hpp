@@ -27,6 +27,7 @@ struct PathRay {
   InsideNode const* inside = nullptr;
   int level = 0;
   std::uint8_t mask = camera_bit;
+  double travelled = 0; ///< before the origin, since the last real surface
 };
 
 /// Counts of one thread, added up for the report.
@@ -73,6 +74,16 @@ private:
   void cut(Beam const& beam, int lanes);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
+  /// Absorbs along the ray up to `distance` (infinite: it escapes). Solids that leak end at their
+  /// bounds, and a ray that escapes has left all that are bounded. @return what it is inside of
+  /// then
+  InsideNode const* travel(PathRay const& ray, double distance, Beam& beam);
+  InsideNode const* without(InsideNode const* inside, geometry::SolidId solid);
+  /// The solid whose medium counts: of the highest priority, the last entered.
+  InsideNode const* ruling(InsideNode const* inside) const;
+  /// Takes out of the hit the surfaces that lie where a medium of higher priority displaces theirs.
+  void drop_displaced(InsideNode const* before, InsideNode const* after,
+                      geometry::HitGroup& hit) const;
   InsideNode const* after_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
   InsideNode const* inside_at(Vec3 const& point);
   int medium_of(InsideNode const* inside) const;
@@ -80,6 +91,8 @@ private:
 
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
+  /// Goes straight on where all surfaces of the hit are displaced.
+  void pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after);
   void find_normals(PathRay const& ray, Frame& frame, LaneInterface& face);
   void find_interface(Beam const& beam, Vec3 const& direction, LaneInterface& face);
   void reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,

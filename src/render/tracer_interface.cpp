@@ -88,17 +88,32 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
 void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
   LaneInterface face;
   InsideNode const* after = after_crossings(ray.inside, frame.hit);
+  if (stage_.has_priorities) {
+    drop_displaced(ray.inside, after, frame.hit);
+    if (frame.hit.crossings.empty()) return pass(ray, beam, frame, after);
+  }
   face.before = medium_of(ray.inside);
   face.after = medium_of(after);
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   if (ray.inside != after && before.fade_power != 0)
     for (int k = 0; k < beam.lanes; ++k)
-      beam.throughput[k] *= distance_fade(before, beam.channel[k], frame.hit.t);
+      beam.throughput[k] *= distance_fade(before, beam.channel[k], ray.travelled + frame.hit.t);
   find_normals(ray, frame, face);
   find_interface(beam, ray.line.direction, face);
   LaneSurface const surface = Shader(*this, ray, beam, frame, face, after).shade();
   reflect(ray, beam, frame, face, surface);
   transmit(ray, beam, frame, face, surface, after);
+}
+
+void Tracer::pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after) {
+  frame.through.on = frame.hit.members;
+  frame.through.through = true;
+  PathRay next = ray;
+  next.line = {frame.hit.point, ray.line.direction, frame.hit.point_error};
+  next.from = &frame.through;
+  next.inside = after;
+  next.travelled += frame.hit.t;
+  trace(next, beam);
 }
 
 Beam Tracer::jittered(Beam const& beam, int jitter) {

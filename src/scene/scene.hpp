@@ -103,6 +103,8 @@ struct Interior {
   double fade_distance = 0;
   double fade_power = 0;
   Colour fade_colour;
+  int priority = 0; ///< where solids overlap, the highest displaces the others; equal: the later
+                    ///< entered counts
 };
 
 struct Light;
@@ -182,6 +184,10 @@ struct Settings {
   bool assumed_gamma_srgb = false;
   double version = 3.62; ///< effective at the end of the parse
   int noise_generator = 2;
+  /// Facing surfaces of two refracting solids that are closer than this share of the smaller one's
+  /// extent are in contact. 0: never. The default is what seven decimal digits leave.
+  static constexpr double default_contact = 0x1p-22;
+  double contact = default_contact;
   SpectralSettings spectral;
 };
 

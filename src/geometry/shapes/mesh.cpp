@@ -5,6 +5,7 @@
 #include "geometry/shapes/start.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace abbe::geometry {
@@ -143,6 +144,40 @@ std::optional<Vec2> Mesh::uv(Vec3 const& point, std::uint32_t face) const {
   if (f[0] == MeshData::flat) return std::nullopt;
   Vec3 const w = weights(point, face);
   return w.x * data_.uv[f[0]] + w.y * data_.uv[f[1]] + w.z * data_.uv[f[2]];
+}
+
+bool Mesh::closed() const {
+  std::vector<std::uint32_t> order(data_.vertices.size()), place(order.size());
+  std::iota(order.begin(), order.end(), 0U);
+  auto const before = [&](std::uint32_t a, std::uint32_t b) {
+    Vec3 const &p = data_.vertices[a], &q = data_.vertices[b];
+    return p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : p.z < q.z);
+  };
+  std::sort(order.begin(), order.end(), before);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    bool const same = i > 0 && !before(order[i - 1], order[i]);
+    place[order[i]] = same ? place[order[i - 1]] : order[i];
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (Corners const& face : data_.faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.push_back(std::minmax({place[face[i]], place[face[(i + 1) % 3]]}));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size();) {
+    auto const last =
+        std::upper_bound(edges.begin() + static_cast<std::ptrdiff_t>(i), edges.end(), edges[i]);
+    auto const end = static_cast<std::size_t>(last - edges.begin());
+    if ((end - i) % 2 != 0) return false;
+    i = end;
+  }
+  return true;
+}
+
+bool leaks(Shape const& shape) {
+  auto const* const mesh = dynamic_cast<Mesh const*>(&shape);
+  return mesh != nullptr && mesh->solid() && !mesh->closed();
 }
 
 std::size_t Mesh::memory() const {

@@ -49,6 +49,9 @@ public:
   std::optional<FaceBlend> face_blend(Vec3 const& point, std::uint32_t face) const override;
   std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;
   std::size_t memory() const; ///< bytes, for the tests
+  /// Does each edge (by its ends' places) belong to an even number of faces? A line then crosses
+  /// the mesh an even number of times.
+  bool closed() const;
 
 private:
   struct Node {
@@ -65,6 +68,9 @@ private:
   std::vector<Node> nodes_;
   Bounds bounds_;
 };
+
+/// Can a line enter the shape without leaving it again? (a solid mesh that is not closed)
+bool leaks(Shape const& shape);
 
 /// What was wrong with the input of a mesh and what came of it.
 struct MeshResult {

@@ -4,7 +4,7 @@
 #include "frame.inc"
 #ifndef (Clean) #declare Clean = 0; #end
 #ifndef (Turn) #declare Turn = 0; #end
-global_settings { assumed_gamma 1 max_trace_level 30 }
+#ifdef (Unlimited) global_settings { assumed_gamma 1 } #else global_settings { assumed_gamma 1 max_trace_level 30 } #end
 #default { finish { ambient .3 diffuse .6 } }
 #declare Rotated = transform { translate -Shift_in rotate Turn * <17, 31, 9> translate Shift_in }
 #declare There = transform { transform Rotated transform To_place }

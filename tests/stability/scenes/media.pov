@@ -12,11 +12,14 @@ light_source { Far(<3, 6, -4>), rgb 1 }
 plane { y, -.3 * S + Shift_in.y texture { Checker scale .25 * S translate Shift_in } transform To_place }
 sky_sphere { pigment { gradient y color_map { [0 rgb <.8, .8, .9>] [1 rgb <.2, .4, .9>] } } }
 
+// POV-Ray knows no priorities: the suite declares it for abbe.
+#ifdef (Priority) #declare Glass = interior { ior 1.5 priority Priority } #else #declare Glass = interior { ior 1.5 } #end
+
 #macro Tumbler()
   difference {
     cylinder { At(<0, 0, 0>), At(<0, 1, 0>), .5 * S }
     cylinder { At(<0, .1, 0>), At(<0, 1.2, 0>), .45 * S }
-    texture { Clear } interior { ior 1.5 } transform There
+    texture { Clear } interior { Glass } transform There
   }
 #end
 #switch (Row)

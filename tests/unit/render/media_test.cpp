@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/box.hpp"
+#include "geometry/shapes/mesh.hpp"
+#include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/sphere.hpp"
+#include "scenes.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+/// Which medium a ray is in, measured by what it absorbs: exp(-length / depth) by Beer's law. The
+/// pixel looks along +z, from the origin where nothing else is said.
+namespace abbe::render::testing {
+namespace {
+
+constexpr double tolerance = 1e-6; // pixels are floats
+
+/// Clear, with an index of 1: no ray is bent, none is reflected.
+scene::Object medium(geometry::PlacedShape placed, double depth, int priority = 0) {
+  scene::Object out = object(std::move(placed.shape), placed.placement, clear());
+  auto interior = std::make_shared<scene::Interior>();
+  if (depth > 0) {
+    interior->fade_distance = depth;
+    interior->fade_power = 1000; // exponential
+  }
+  interior->priority = priority;
+  out.interior = interior;
+  return out;
+}
+geometry::PlacedShape slab(double from, double to) {
+  return *geometry::make_box({-50, -50, from}, {50, 50, to});
+}
+geometry::PlacedShape ball(double radius) {
+  return *geometry::make_sphere(Vec3(0), radius);
+}
+
+/// What comes along the axis from a white surround.
+double seen(std::vector<scene::Object> objects, Vec3 const& eye = Vec3(0)) {
+  scene::Scene scene;
+  scene.objects = std::move(objects);
+  scene.background.rgb = Vec3(1);
+  scene.camera.location = eye;
+  scene.settings.assumed_gamma = 1;
+  RenderOptions options;
+  options.width = options.height = 1;
+  return static_cast<double>(picture(scene, options).rgb[1]);
+}
+
+TEST(Media, HigherPriorityDisplacesWhatOverlaps) {
+  // Wall from 1 to 5, water from 3 to 7: they share 2.
+  EXPECT_NEAR(seen({medium(slab(1, 5), 0, 1), medium(slab(3, 7), 2)}), std::exp(-1.0), tolerance);
+  // The same when the water is entered first: its surface inside the wall is not there.
+  EXPECT_NEAR(seen({medium(slab(3, 7), 0, 1), medium(slab(1, 5), 2)}), std::exp(-1.0), tolerance);
+  // A wall within the water: the water's two parts are apart.
+  EXPECT_NEAR(seen({medium(slab(3, 4), 0, 1), medium(slab(1, 7), 2)}), std::exp(-2.5), tolerance);
+  // Water all within the wall is not there.
+  EXPECT_NEAR(seen({medium(slab(1, 7), 0, 1), medium(slab(3, 4), 2)}), 1, tolerance);
+  EXPECT_NEAR(seen({medium(slab(1, 7), 0), medium(slab(3, 4), 2, -1)}), 1, tolerance);
+}
+
+TEST(Media, OfEqualPriorityTheLaterEnteredCounts) {
+  EXPECT_NEAR(seen({medium(slab(1, 5), 0), medium(slab(3, 7), 2)}), std::exp(-2.0), tolerance);
+  EXPECT_NEAR(seen({medium(slab(3, 7), 0), medium(slab(1, 5), 2)}), std::exp(-1.0), tolerance);
+}
+
+TEST(Media, ADisplacedSurfaceHasNoTexture) {
+  auto water = medium(slab(3, 7), 0);
+  water.texture = plain(Vec3(0)); // black: seen where it is not displaced
+  EXPECT_NEAR(seen({medium(slab(1, 8), 0, 1), water}), 1, tolerance);
+  EXPECT_NEAR(seen({medium(slab(1, 8), 0), water}), 0, tolerance);
+}
+
+TEST(Media, FadingIsMeasuredAcrossDisplacedSurfaces) {
+  // Not exponential: 1 / (1 + (d / D)^2) of all 6 units, not of 2 and 4.
+  auto wall = medium(slab(1, 7), 0, 1);
+  auto interior = std::make_shared<scene::Interior>(*wall.interior);
+  interior->fade_distance = 3;
+  interior->fade_power = 2;
+  wall.interior = interior;
+  EXPECT_NEAR(seen({wall, medium(slab(3, 4), 0)}), 1 / (1 + 4.0), tolerance);
+}
+
+TEST(Media, CameraInsideNestedGlassKnowsWhereItIs) {
+  EXPECT_NEAR(seen({medium(ball(3), 2)}), std::exp(-1.5), tolerance);
+  EXPECT_NEAR(seen({medium(ball(1), 5), medium(ball(3), 2)}), std::exp(-1 / 5.0 - 1), tolerance);
+  EXPECT_NEAR(seen({medium(ball(3), 2), medium(ball(1), 5)}), std::exp(-1 / 5.0 - 1), tolerance);
+  // The outer one by priority, and a third around both.
+  EXPECT_NEAR(seen({medium(ball(3), 2, 1), medium(ball(1), 5)}), std::exp(-1.5), tolerance);
+  EXPECT_NEAR(seen({medium(ball(1), 5, 2), medium(ball(3), 2, 1), medium(ball(4), 1)}),
+              std::exp(-1 / 5.0 - 1 - 1), tolerance);
+}
+
+TEST(Media, CameraInAHoleIsInAir) {
+  auto const shell = [](int priority) {
+    scene::Object out;
+    out.kind = scene::Object::Kind::Difference;
+    out.children = {medium(ball(3), 2, priority), medium(ball(1), 2, priority)};
+    out.interior = out.children[0].interior;
+    return out;
+  };
+  EXPECT_NEAR(seen({shell(0)}), std::exp(-1.0), tolerance);
+  // In a hole of glass that stands in another glass.
+  EXPECT_NEAR(seen({shell(1), medium(ball(4), 5)}), std::exp(-1 / 5.0 - 1 - 1 / 5.0), tolerance);
+}
+
+TEST(Media, CameraInABoundlessMedium) {
+  // Half a world of water, surface at z = 2.
+  EXPECT_NEAR(seen({medium(*geometry::make_plane({0, 0, 1}, 2), 4)}), std::exp(-0.5), tolerance);
+}
+
+/// A lamp, and a white wall at z = 8 that it lights straight on.
+double lit(std::vector<scene::Object> objects, Vec3 const& lamp) {
+  scene::Scene scene;
+  scene::Light light;
+  light.position = lamp;
+  light.colour.rgb = Vec3(1);
+  scene.lights = {light};
+  auto const wall = *geometry::make_plane({0, 0, -1}, -8);
+  scene.objects = std::move(objects);
+  scene.objects.push_back(object(wall.shape, wall.placement, plain(Vec3(1))));
+  scene.objects.back().texture->front().finish.ambient.rgb = Vec3(0);
+  scene.objects.back().texture->front().finish.diffuse = 1;
+  scene.camera.location = {0, 0, 7.5};
+  scene.settings.assumed_gamma = 1;
+  RenderOptions options;
+  options.width = options.height = 1;
+  return static_cast<double>(picture(scene, options).rgb[1]);
+}
+
+TEST(Media, LampsInsideGlassSendThroughIt) {
+  EXPECT_NEAR(lit({}, Vec3(0)), 1, tolerance);
+  EXPECT_NEAR(lit({medium(ball(3), 2)}, Vec3(0)), std::exp(-1.5), tolerance);
+  EXPECT_NEAR(lit({medium(ball(1), 5), medium(ball(3), 2)}, Vec3(0)), std::exp(-1 / 5.0 - 1),
+              tolerance);
+  EXPECT_NEAR(lit({medium(ball(1), 5), medium(ball(3), 2, 1)}, Vec3(0)), std::exp(-1.5), tolerance);
+}
+
+/// A cube from 1 to 5 in depth, as a mesh; `missing` triangles are left out from the end, which is
+/// the far side.
+scene::Object mesh_cube(double depth, std::size_t missing) {
+  geometry::MeshData data;
+  for (int i = 0; i < 8; ++i) {
+    data.vertices.push_back({i & 1 ? 2 : -2, i & 2 ? 2 : -2, i & 4 ? 5 : 1});
+  }
+  data.faces = {{0, 1, 3}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {2, 3, 7}, {2, 7, 6},
+                {0, 2, 6}, {0, 6, 4}, {1, 3, 7}, {1, 7, 5}, {4, 5, 7}, {4, 7, 6}};
+  data.faces.resize(data.faces.size() - missing);
+  data.inside_vector = Vec3(0, 1, 0);
+  return medium(*geometry::make_mesh(std::move(data)).shape, depth);
+}
+
+TEST(Media, OpenMeshesAreLeftAtTheirBounds) {
+  EXPECT_NEAR(seen({mesh_cube(2, 0)}, {.1, .3, 0}), std::exp(-2.0), tolerance);
+  // Out through the hole: to the sky, and to a medium behind, of which all is seen.
+  EXPECT_NEAR(seen({mesh_cube(2, 2)}, {.1, .3, 0}), std::exp(-2.0), 1e-5);
+  EXPECT_NEAR(seen({mesh_cube(2, 2), medium(slab(20, 23), 3)}, {.1, .3, 0}), std::exp(-3.0), 1e-5);
+  // The half of the far side that is there is a surface like any other.
+  EXPECT_NEAR(seen({mesh_cube(2, 1), medium(slab(20, 23), 3)}, {.3, .1, 0}), std::exp(-3.0), 1e-5);
+  EXPECT_NEAR(seen({mesh_cube(2, 1), medium(slab(20, 23), 3)}, {.1, .3, 0}), std::exp(-3.0), 1e-5);
+  // Towards a lamp, in through the hole: what looks like the way in ends at the bounds at once.
+  Vec3 const lamp(.1, .1, -1);
+  EXPECT_NEAR(lit({mesh_cube(2, 0)}, lamp), lit({}, lamp) * std::exp(-2.0), 1e-4);
+  EXPECT_NEAR(lit({mesh_cube(2, 2)}, lamp), lit({}, lamp), 1e-5);
+}
+
+} // namespace
+} // namespace abbe::render::testing
