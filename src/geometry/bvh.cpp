@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace abbe::geometry {
 
@@ -15,13 +14,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Box {
   Vec3 low{infinite}, high{-infinite};
-  void grow(Bounds const& b) {
-    low = glm::min(low, b.low);
-    high = glm::max(high, b.high);
-  }
-  void grow(Box const& b) {
-    low = glm::min(low, b.low);
-    high = glm::max(high, b.high);
+  void grow(Vec3 const& from, Vec3 const& to) {
+    low = glm::min(low, from);
+    high = glm::max(high, to);
   }
   double area() const {
     Vec3 const d = glm::max(high - low, Vec3(0));
@@ -29,22 +24,26 @@ struct Box {
   }
 };
 
+/// A box on its way through the tree, kept with its number so that memory is read in a row.
+struct Ref {
+  Vec3 low, high;
+  std::uint32_t item;
+  Vec3 centre() const { return low * 0.5 + high * 0.5; }
+};
+
 struct Builder {
-  std::span<Bounds const> boxes;
+  std::vector<Ref> refs;
   std::uint32_t leaf_size;
   std::vector<BvhNode>& nodes;
-  std::vector<std::uint32_t>& items;
 
   static constexpr int bins = 16;
-
-  Vec3 centre(std::uint32_t item) const { return boxes[item].low * 0.5 + boxes[item].high * 0.5; }
 
   void build(std::uint32_t begin, std::uint32_t end, int depth) {
     Box box, centres;
     for (std::uint32_t i = begin; i < end; ++i) {
-      box.grow(boxes[items[i]]);
-      Vec3 const c = centre(items[i]);
-      centres.grow(Bounds{c, c, false});
+      box.grow(refs[i].low, refs[i].high);
+      Vec3 const c = refs[i].centre();
+      centres.grow(c, c);
     }
     std::size_t const self = nodes.size();
     nodes.push_back({box.low, box.high, begin, end - begin});
@@ -61,43 +60,53 @@ struct Builder {
     double cost = infinite;
     int axis = -1, bin = 0;
   };
+  struct Bin {
+    Box box;
+    std::uint32_t count = 0;
+  };
+  using Bins = std::array<Bin, bins>;
 
-  int bin_of(std::uint32_t item, int axis, Box const& centres) const {
-    double const extent = centres.high[axis] - centres.low[axis];
-    double const at = (centre(item)[axis] - centres.low[axis]) / extent * bins;
-    return std::min(bins - 1, static_cast<int>(at));
+  static int bin_of(double centre, double low, double extent) {
+    return std::min(bins - 1, static_cast<int>((centre - low) / extent * bins));
+  }
+
+  static void better_plane(int axis, Bins const& bin, Plane& best) {
+    std::array<double, bins> right_cost{};
+    Box grown;
+    double number = 0;
+    for (std::size_t b = bins - 1; b > 0; --b) {
+      grown.grow(bin[b].box.low, bin[b].box.high);
+      number += bin[b].count;
+      right_cost[b] = number > 0 ? grown.area() * number : infinite;
+    }
+    grown = {};
+    number = 0;
+    for (std::size_t b = 0; b + 1 < bins; ++b) {
+      grown.grow(bin[b].box.low, bin[b].box.high);
+      number += bin[b].count;
+      if (number == 0) continue;
+      double const cost = grown.area() * number + right_cost[b + 1];
+      if (cost < best.cost) best = {cost, axis, static_cast<int>(b)};
+    }
   }
 
   Plane best_plane(std::uint32_t begin, std::uint32_t end, Box const& centres) const {
+    std::array<Bins, 3> binned;
+    Vec3 const extent = centres.high - centres.low;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      Ref const& ref = refs[i];
+      Vec3 const c = ref.centre();
+      for (int axis = 0; axis < 3; ++axis) {
+        if (!(extent[axis] > 0)) continue;
+        int const at = bin_of(c[axis], centres.low[axis], extent[axis]);
+        Bin& bin = binned[static_cast<std::size_t>(axis)][static_cast<std::size_t>(at)];
+        bin.box.grow(ref.low, ref.high);
+        ++bin.count;
+      }
+    }
     Plane best;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(centres.high[axis] > centres.low[axis])) continue;
-      std::array<Box, bins> box;
-      std::array<std::uint32_t, bins> count{};
-      for (std::uint32_t i = begin; i < end; ++i) {
-        auto const bin = static_cast<std::size_t>(bin_of(items[i], axis, centres));
-        box[bin].grow(boxes[items[i]]);
-        ++count[bin];
-      }
-      std::array<double, bins> right_cost{};
-      Box grown;
-      double number = 0;
-      for (int b = bins - 1; b > 0; --b) {
-        auto const bin = static_cast<std::size_t>(b);
-        grown.grow(box[bin]);
-        number += count[bin];
-        right_cost[bin] = number > 0 ? grown.area() * number : infinite;
-      }
-      grown = {};
-      number = 0;
-      for (int b = 0; b + 1 < bins; ++b) {
-        auto const bin = static_cast<std::size_t>(b);
-        grown.grow(box[bin]);
-        number += count[bin];
-        if (number == 0) continue;
-        double const cost = grown.area() * number + right_cost[bin + 1];
-        if (cost < best.cost) best = {cost, axis, b};
-      }
+      if (extent[axis] > 0) better_plane(axis, binned[static_cast<std::size_t>(axis)], best);
     }
     return best;
   }
@@ -110,22 +119,23 @@ struct Builder {
     // A visit of a node costs about half of a test of an item.
     bool const worth = plane.axis >= 0 && plane.cost + 0.5 * box.area() < box.area() * count;
     if (!worth && count <= 4 * leaf_size) return begin;
-    auto const first = items.begin() + begin, last = items.begin() + end;
+    auto const first = refs.begin() + begin, last = refs.begin() + end;
+    Vec3 const extent = centres.high - centres.low;
     if (plane.axis >= 0 && depth < max_bvh_depth / 2) {
-      auto const middle = std::partition(first, last, [&](std::uint32_t item) {
-        return bin_of(item, plane.axis, centres) <= plane.bin;
+      double const low = centres.low[plane.axis], width = extent[plane.axis];
+      auto const middle = std::partition(first, last, [&](Ref const& ref) {
+        return bin_of(ref.centre()[plane.axis], low, width) <= plane.bin;
       });
-      auto const at = static_cast<std::uint32_t>(middle - items.begin());
+      auto const at = static_cast<std::uint32_t>(middle - refs.begin());
       if (at != begin && at != end) return at;
     }
     // Equal centres, or a lopsided tree: halve by rank, so that the depth stays bounded.
-    Vec3 const extent = centres.high - centres.low;
     int const axis =
         extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
     auto const middle = first + count / 2;
-    std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) {
-      double const ca = centre(a)[axis], cb = centre(b)[axis];
-      return ca != cb ? ca < cb : a < b;
+    std::nth_element(first, middle, last, [&](Ref const& a, Ref const& b) {
+      double const ca = a.centre()[axis], cb = b.centre()[axis];
+      return ca != cb ? ca < cb : a.item < b.item;
     });
     return begin + count / 2;
   }
@@ -135,10 +145,16 @@ struct Builder {
 
 Bvh::Bvh(std::span<Bounds const> boxes, std::uint32_t leaf_size) {
   if (boxes.empty()) return;
-  items_.resize(boxes.size());
-  std::iota(items_.begin(), items_.end(), 0U);
+  Builder builder{{}, leaf_size, nodes_};
+  builder.refs.reserve(boxes.size());
+  for (Bounds const& box : boxes) {
+    builder.refs.push_back({box.low, box.high, static_cast<std::uint32_t>(builder.refs.size())});
+  }
   nodes_.reserve(boxes.size() * 2 / std::max(leaf_size, 1U));
-  Builder{boxes, leaf_size, nodes_, items_}.build(0, static_cast<std::uint32_t>(boxes.size()), 0);
+  builder.build(0, static_cast<std::uint32_t>(boxes.size()), 0);
+  nodes_.shrink_to_fit();
+  items_.reserve(boxes.size());
+  for (Ref const& ref : builder.refs) items_.push_back(ref.item);
 }
 
 } // namespace abbe::geometry

@@ -59,7 +59,9 @@ Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric)
   Vec3 const point = to_object(world_point);
   Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
   // The direction only: scaled to the order of 1 first, so that no square overflows.
-  Vec3 const world = source_.placement.normal(n);
+  Mat3 const& back = source_.placement.inverse_linear;
+  Vec3 const world =
+      along_axes_ ? n * Vec3(back[0][0], back[1][1], back[2][2]) : source_.placement.normal(n);
   Vec3 const size = glm::abs(world);
   double const largest = std::max(size.x, std::max(size.y, size.z));
   return glm::normalize(world / largest);

@@ -96,6 +96,12 @@ public:
   /// a share of 2^-44 of the radius and of the distance, which the kernel's roundings stay under.
   /// Infinite where there is no such ball.
   virtual double ball_radius() const { return std::numeric_limits<double>::infinity(); }
+  /// crossings(), but crossings behind the start or beyond the first by more than their errors, and
+  /// such that begin after `until`, may be left out.
+  virtual void crossings_ahead(Ray const& ray, Start const* start, double /*until*/,
+                               Crossings& out) const {
+    crossings(ray, start, out);
+  }
 };
 using ShapePtr = std::shared_ptr<Shape const>;
 

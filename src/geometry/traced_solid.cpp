@@ -106,6 +106,7 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
   if (source.tree.op == CsgTree::Op::Primitive) {
     only_ = source.tree.primitive;
     inverse_ = source.tree.inverse;
+    convex_ = primitives[only_].shape().one_interval();
     return;
   }
   program_ = std::make_unique<CsgProgram const>(source.tree);

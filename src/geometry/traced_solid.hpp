@@ -91,7 +91,8 @@ private:
   std::uint8_t mask_;
   PrimitiveId only_ = 0; ///< without a program: the one primitive
   bool inverse_ = false;
-  bool merge_ = false; ///< of primitives alone, and with a hierarchy
+  bool convex_ = false; ///< of the one primitive: a line that leaves it does not come back
+  bool merge_ = false;  ///< of primitives alone, and with a hierarchy
   std::unique_ptr<CsgProgram const> program_;
   std::unique_ptr<ConvexCut const> cut_; ///< when the tree is of its kind
   Bounds bounds_;
@@ -169,10 +170,11 @@ void TracedSolid::single_ahead(Query const& query, Take& take) const {
   Start start;
   bool const starts = find_start(query, only_, start);
   Placed const& placed = query.primitives[only_];
-  if (!starts && placed.reach().misses(query.ray, query.until)) return;
+  if (starts ? convex_ && !start.to_inside : placed.reach().misses(query.ray, query.until)) return;
   Crossings& crossings = query.scratch.crossings;
   crossings.clear();
-  placed.shape().crossings(placed.to_object(query.ray), starts ? &start : nullptr, crossings);
+  placed.shape().crossings_ahead(placed.to_object(query.ray), starts ? &start : nullptr,
+                                 query.until, crossings);
   sort_few(crossings);
   auto& events = query.scratch.events;
   bool inside = false, known = false;

@@ -23,6 +23,7 @@ struct Sum {
     value = sum;
   }
   void add_product(double a, double b) {
+    if (a == 0 || b == 0) return;
     double const product = a * b;
     error += std::fabs(std::fma(a, b, -product));
     add(product);
@@ -199,6 +200,7 @@ void Transform::set_inverse_offset() {
 }
 
 Transform Transform::then(Transform const& next) const {
+  if (next.translates()) return moved(next.offset, next.offset_error);
   Transform result;
   Product const ahead = product(next.linear, next.linear_error, linear, linear_error);
   result.linear = ahead.value;
@@ -211,6 +213,26 @@ Transform Transform::then(Transform const& next) const {
       product(inverse_linear, inverse_linear_error, next.inverse_linear, next.inverse_linear_error);
   result.inverse_linear = back.value;
   result.inverse_linear_error = back.error;
+  result.set_inverse_offset();
+  return result;
+}
+
+bool Transform::translates() const {
+  Mat3 const none(0), same(1);
+  return linear == same && inverse_linear == same && linear_error == none
+         && inverse_linear_error == none;
+}
+
+Transform Transform::moved(Vec3 const& by, Vec3 const& by_error) const {
+  Transform result = *this;
+  Vec3 made(0);
+  for (int i = 0; i < 3; ++i) {
+    Sum sum{offset[i], 0};
+    sum.add(by[i]);
+    result.offset[i] = sum.value;
+    made[i] = sum.error;
+  }
+  result.offset_error = upward * (offset_error + by_error + made);
   result.set_inverse_offset();
   return result;
 }

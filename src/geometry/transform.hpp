@@ -43,6 +43,10 @@ struct Transform {
   bool identity() const;
 
 private:
+  /// A translation, exactly.
+  bool translates() const;
+  /// then() such a one: what most placements are made of.
+  Transform moved(Vec3 const& by, Vec3 const& by_error) const;
   void set_inverse_offset();
 };
 

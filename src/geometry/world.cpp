@@ -26,9 +26,39 @@ struct World::Impl {
   std::vector<TracedSolid> solids;
   std::vector<std::uint32_t> state_of; ///< solid -> place in Scratch::states
   std::uint32_t states = 0;
-  std::vector<SolidId> infinite;
-  std::vector<SolidId> finite; ///< item of bvh -> solid
-  Bvh bvh;
+  /// The solids with a bit of a mask, by place.
+  struct Group {
+    std::uint8_t mask = 0xff;
+    std::vector<SolidId> infinite;
+    std::vector<SolidId> finite; ///< item of bvh -> solid
+    Bvh bvh;
+  };
+  Group all;
+  std::vector<Group> some; ///< those of bits that at most half of the solids have
+
+  Group make_group(std::uint8_t mask) const {
+    Group group;
+    group.mask = mask;
+    std::vector<Bounds> boxes;
+    for (SolidId id = 0; id < solids.size(); ++id) {
+      Bounds const& bounds = solids[id].bounds();
+      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
+      if (bounds.infinite) {
+        group.infinite.push_back(id);
+      } else if (!bounds.empty()) {
+        group.finite.push_back(id);
+        boxes.push_back(bounds);
+      }
+    }
+    group.bvh = Bvh(boxes);
+    return group;
+  }
+  Group const& group(std::uint8_t mask) const {
+    for (Group const& few : some) {
+      if ((mask & ~few.mask) == 0) return few;
+    }
+    return all;
+  }
   Contacts contacts; ///< by solid
 
   bool first_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
@@ -48,16 +78,22 @@ struct World::Impl {
     CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
     return {primitives, ray, from, scratch, state, until};
   }
-  /// visit(solid) for those that the line may meet in [low, high]; false stops.
+  /// visit(solid) for those that the line may meet in [low, high], with a bit of `mask` and perhaps
+  /// others; false stops.
   template <class Visit>
-  void each_solid(Ray const& ray, double low, double const& high, Visit&& visit) const {
+  void each_solid(Ray const& ray, std::uint8_t mask, double low, double const& high,
+                  Visit&& visit) const {
+    Group const& group = this->group(mask);
     bool goes_on = true;
-    walk(std::span<BvhNode const>(bvh.nodes()), std::span<std::uint32_t const>(bvh.items()),
-         BoxProbe(ray), low, high, [&](std::uint32_t item) {
-           goes_on = visit(finite[item]);
+    walk(std::span<BvhNode const>(group.bvh.nodes()),
+         std::span<std::uint32_t const>(group.bvh.items()), BoxProbe(ray), low, high,
+         [&](std::uint32_t item) {
+           goes_on = visit(group.finite[item]);
            return goes_on;
          });
-    for (std::size_t i = 0; goes_on && i < infinite.size(); ++i) goes_on = visit(infinite[i]);
+    for (std::size_t i = 0; goes_on && i < group.infinite.size(); ++i) {
+      goes_on = visit(group.infinite[i]);
+    }
   }
 };
 
@@ -74,19 +110,21 @@ World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, dou
   impl.primitives.reserve(primitives.size());
   for (PlacedShape& placed : primitives) impl.primitives.emplace_back(std::move(placed));
   impl.solids.reserve(solids.size());
-  std::vector<Bounds> boxes;
   for (SolidId id = 0; id < solids.size(); ++id) {
     impl.solids.emplace_back(solids[id], impl.primitives, id);
-    TracedSolid const& solid = impl.solids.back();
-    impl.state_of.push_back(solid.has_program() ? impl.states++ : 0);
-    if (solid.bounds().infinite) {
-      impl.infinite.push_back(id);
-    } else if (!solid.bounds().empty()) {
-      impl.finite.push_back(id);
-      boxes.push_back(solid.bounds());
+    impl.state_of.push_back(impl.solids.back().has_program() ? impl.states++ : 0);
+  }
+  impl.all = impl.make_group(0xff);
+  // What asks for a bit that few have should not pass by all the others.
+  for (unsigned bit = 1; bit <= 0x80; bit *= 2) {
+    auto const mask = static_cast<std::uint8_t>(bit);
+    auto const having =
+        std::count_if(impl.solids.begin(), impl.solids.end(),
+                      [&](TracedSolid const& solid) { return (solid.mask() & mask) != 0; });
+    if (static_cast<std::size_t>(having) * 2 <= impl.solids.size()) {
+      impl.some.push_back(impl.make_group(mask));
     }
   }
-  impl.bvh = Bvh(boxes);
   if (!(contact > 0)) return;
   std::vector<Bounds> joining;
   for (SolidId id = 0; id < solids.size(); ++id) {
@@ -148,7 +186,7 @@ bool World::Impl::first_group(Ray const& ray, Departure const* from, std::uint8_
   double best = everywhere, best_end = t_max;
   double begin = everywhere; // of the first candidate's error interval
   std::size_t nearest = 0;
-  each_solid(ray, 0.0, best_end, [&](SolidId id) {
+  each_solid(ray, mask, 0.0, best_end, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     solid.passages(
@@ -255,7 +293,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   // Neighbouring rays meet the same.
   SolidId const last = scratch.last_occluder;
   if (last < impl_->solids.size() && !ask(last)) return true;
-  impl_->each_solid(ray, 0.0, t_max, [&](SolidId id) { return id == last || ask(id); });
+  impl_->each_solid(ray, mask, 0.0, t_max, [&](SolidId id) { return id == last || ask(id); });
   if (!found) scratch.last_occluder = no_solid;
   return found;
 }
@@ -267,7 +305,7 @@ void World::containing(Vec3 const& point, Scratch& scratch, std::vector<SolidId>
   // Along no axis, diagonal or edge that a scene is likely to have.
   Ray const ray{point, Vec3(0.3713906763541037, 0.5570860145311556, 0.7427813527082074), Vec3(0)};
   double const here = 0.0;
-  impl_->each_solid(ray, 0.0, here, [&](SolidId id) {
+  impl_->each_solid(ray, 0xff, 0.0, here, [&](SolidId id) {
     double entry = -everywhere;
     bool any = false, inside = false;
     bool const before = impl_->solids[id].passages(impl_->query(id, ray, nullptr, scratch), true,

@@ -17,12 +17,7 @@ void blend(PigmentValue& value, PigmentValue const& other, double weight, int la
 PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point, Beam const& beam,
                               Arena& arena) {
   CompiledPigment const& p = stage.pigments[static_cast<std::size_t>(pigment)];
-  if (!p.pattern) {
-    PigmentValue value{arena.take<double>(static_cast<std::size_t>(beam.lanes)), p.colour.filter,
-                       p.colour.transmit};
-    for (int k = 0; k < beam.lanes; ++k) value.colour[k] = p.colour.value[beam.channel[k]];
-    return value;
-  }
+  if (!p.pattern) return plain_pigment(p, beam, arena);
   // The items of a list stand at 0, 1 ..: a written frequency or wave blends them, as in POV-Ray.
   texture::MapPosition const position = texture::look_up(p.values, p.pattern->evaluate(point));
   auto const entry = [&](int i) { return p.entries[static_cast<std::size_t>(i)]; };

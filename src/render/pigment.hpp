@@ -14,6 +14,14 @@ struct PigmentValue {
   double transmit = 0;
 };
 
+/// Of a pigment without a pattern: the same everywhere.
+inline PigmentValue plain_pigment(CompiledPigment const& pigment, Beam const& beam, Arena& arena) {
+  PigmentValue value{arena.take<double>(static_cast<std::size_t>(beam.lanes)),
+                     pigment.colour.filter, pigment.colour.transmit};
+  for (int k = 0; k < beam.lanes; ++k) value.colour[k] = pigment.colour.value[beam.channel[k]];
+  return value;
+}
+
 /// @param point in texture space
 PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point, Beam const& beam,
                               Arena& arena);

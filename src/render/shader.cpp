@@ -117,9 +117,7 @@ void Shader::shade_layers(std::vector<int> const& layers, bool double_illuminate
 void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
                          LaneSurface& out) {
   CompiledFinish const& finish = layer.finish;
-  Vec3 const point = layer.to_texture_linear * frame_.hit.point + layer.to_texture_offset;
-  PigmentValue const pigment =
-      evaluate_pigment(stage_, layer.pigment, point, beam_, tracer_.arena_);
+  PigmentValue const pigment = pigment_at(layer, frame_.hit.point);
   double const opaque = opacity(stage_, pigment, beam_.lanes);
   if (opaque != 0) add_glow(finish, pigment.colour, opaque, out.passed);
   bool const shines = finish.phong != 0 || finish.specular != 0;
@@ -142,6 +140,14 @@ void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, boo
     if (mirror && finish.conserve_energy)
       out.passed[k] *= std::min(1.0, std::max(0.0, 1 - mirror[k]));
   }
+}
+
+PigmentValue Shader::pigment_at(CompiledLayer const& layer, Vec3 const& world_point) {
+  CompiledPigment const& pigment = stage_.pigments[static_cast<std::size_t>(layer.pigment)];
+  if (!pigment.pattern) return plain_pigment(pigment, beam_, tracer_.arena_);
+  return evaluate_pigment(stage_, layer.pigment,
+                          layer.to_texture_linear * world_point + layer.to_texture_offset, beam_,
+                          tracer_.arena_);
 }
 
 void Shader::add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
@@ -298,10 +304,7 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
       for (int const number : stage_.surfaces[crossing.primitive].layers) {
         Arena::Scope const scope(tracer_.arena_);
         CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
-        PigmentValue const pigment =
-            evaluate_pigment(stage_, layer.pigment,
-                             layer.to_texture_linear * frame.hit.point + layer.to_texture_offset,
-                             beam_, tracer_.arena_);
+        PigmentValue const pigment = pigment_at(layer, frame.hit.point);
         for (int k = 0; k < beam_.lanes; ++k)
           left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/interface.hpp"
+#include "render/pigment.hpp"
 #include "render/tracer.hpp"
 
 namespace abbe::render {
@@ -23,6 +24,7 @@ private:
                     LaneSurface& out);
   void shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
                    LaneSurface& out);
+  PigmentValue pigment_at(CompiledLayer const& layer, Vec3 const& world_point);
   void add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
                 double const* passed);
   void add_lights(CompiledFinish const& finish, double const* pigment, double opaque,

@@ -64,11 +64,10 @@ Mesh::Mesh(MeshData data) : data_(std::move(data)) {
 }
 
 template <class Visit>
-void Mesh::each_hit(ShearedLine const& line, Visit&& visit) const {
+void Mesh::each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const {
   // The hierarchy sees exactly the line that the triangles see.
   BoxProbe const probe(Ray{line.point, line.direction, Vec3(0)});
-  double const to = infinity;
-  walk(std::span<Node const>(nodes_), std::span<std::uint32_t const>(), probe, -infinity, to,
+  walk(std::span<Node const>(nodes_), std::span<std::uint32_t const>(), probe, from, to,
        [&](std::uint32_t face) {
          Corners const& f = data_.faces[face];
          auto const hit =
@@ -81,13 +80,14 @@ void Mesh::each_hit(ShearedLine const& line, Visit&& visit) const {
 void Mesh::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   std::size_t const first = out.size();
   bool const closed = solid();
-  each_hit(ShearedLine(line_of(ray)), [&](std::uint32_t face, TriangleHit const& hit) {
-    if (start != nullptr && !closed) {
-      // The face itself, and its neighbours across an edge at the start, are left behind.
-      if (face == start->face || std::fabs(hit.t) <= hit.error + hit.slack) return;
-    }
-    out.push_back({hit.t, hit.error, hit.slack, face, hit.against_normal, closed, true});
-  });
+  each_hit(ShearedLine(line_of(ray)), -infinity, infinity,
+           [&](std::uint32_t face, TriangleHit const& hit) {
+             if (start != nullptr && !closed) {
+               // The face itself, and its neighbours across an edge at the start, are left behind.
+               if (face == start->face || std::fabs(hit.t) <= hit.error + hit.slack) return;
+             }
+             out.push_back({hit.t, hit.error, hit.slack, face, hit.against_normal, closed, true});
+           });
   if (!closed) return;
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
             [](Crossing const& a, Crossing const& b) {
@@ -97,11 +97,29 @@ void Mesh::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   if (start != nullptr) impose_start(*start, true, first, out);
 }
 
+void Mesh::crossings_ahead(Ray const& ray, Start const* start, double until, Crossings& out) const {
+  if (solid()) return crossings(ray, start, out); // which way they lead depends on all of them
+  ShearedLine const line(line_of(ray));
+  // The hierarchy counts from line.point. A step and what it is computed from are off by less than
+  // this share of themselves, and steps to the mesh are at most 8 units long.
+  double const off = 0x1p-40 * (std::fabs(line.t) + 8 / glm::length(line.direction));
+  double to = until - line.t + off;
+  each_hit(line, -line.t - off, to, [&](std::uint32_t face, TriangleHit const& hit) {
+    bool const at_start = std::fabs(hit.t) <= hit.error + hit.slack;
+    if (!(hit.t > 0) || (start != nullptr && (face == start->face || at_start))) return;
+    out.push_back({hit.t, hit.error, hit.slack, face, hit.against_normal, false, true});
+    // At a departure from elsewhere, what is at the start does not count; and room for others of
+    // the same group.
+    if (!at_start) to = std::min(to, hit.t + 8 * hit.error - line.t + off);
+  });
+}
+
 bool Mesh::inside(Vec3 const& point) const {
   if (!solid()) return false;
   bool odd = false;
   ShearedLine const line(line_of({point, *data_.inside_vector, Vec3(0)}));
-  each_hit(line, [&](std::uint32_t, TriangleHit const& hit) { odd = odd != (hit.t > 0); });
+  each_hit(line, -infinity, infinity,
+           [&](std::uint32_t, TriangleHit const& hit) { odd = odd != (hit.t > 0); });
   return odd;
 }
 

@@ -40,6 +40,8 @@ public:
   /// @param data indices valid, no face degenerate (make_mesh sees to it)
   explicit Mesh(MeshData data);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const override;
@@ -61,7 +63,7 @@ private:
   template <class T>
   static void permute(std::vector<T>& items, std::vector<std::uint32_t> const& order);
   template <class Visit>
-  void each_hit(ShearedLine const& line, Visit&& visit) const;
+  void each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const;
   Vec3 weights(Vec3 const& point, std::uint32_t face) const;
 
   MeshData data_;
