@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace abbe::geometry {
 
@@ -24,15 +25,8 @@ struct Box {
   }
 };
 
-/// A box on its way through the tree, kept with its number so that memory is read in a row.
-struct Ref {
-  Vec3 low, high;
-  std::uint32_t item;
-  Vec3 centre() const { return low * 0.5 + high * 0.5; }
-};
-
 struct Builder {
-  std::vector<Ref> refs;
+  std::vector<BvhBox> refs; ///< parted in place: memory is read in a row
   std::uint32_t leaf_size;
   std::vector<BvhNode>& nodes;
 
@@ -94,7 +88,7 @@ struct Builder {
     std::array<Bins, 3> binned;
     Vec3 const extent = centres.high - centres.low;
     for (std::uint32_t i = begin; i < end; ++i) {
-      Ref const& ref = refs[i];
+      BvhBox const& ref = refs[i];
       Vec3 const c = ref.centre();
       for (int axis = 0; axis < 3; ++axis) {
         if (!(extent[axis] > 0)) continue;
@@ -123,7 +117,7 @@ struct Builder {
     Vec3 const extent = centres.high - centres.low;
     if (plane.axis >= 0 && depth < max_bvh_depth / 2) {
       double const low = centres.low[plane.axis], width = extent[plane.axis];
-      auto const middle = std::partition(first, last, [&](Ref const& ref) {
+      auto const middle = std::partition(first, last, [&](BvhBox const& ref) {
         return bin_of(ref.centre()[plane.axis], low, width) <= plane.bin;
       });
       auto const at = static_cast<std::uint32_t>(middle - refs.begin());
@@ -133,7 +127,7 @@ struct Builder {
     int const axis =
         extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
     auto const middle = first + count / 2;
-    std::nth_element(first, middle, last, [&](Ref const& a, Ref const& b) {
+    std::nth_element(first, middle, last, [&](BvhBox const& a, BvhBox const& b) {
       double const ca = a.centre()[axis], cb = b.centre()[axis];
       return ca != cb ? ca < cb : a.item < b.item;
     });
@@ -143,18 +137,14 @@ struct Builder {
 
 } // namespace
 
-Bvh::Bvh(std::span<Bounds const> boxes, std::uint32_t leaf_size) {
+Bvh::Bvh(std::vector<BvhBox> boxes, std::uint32_t leaf_size) {
   if (boxes.empty()) return;
-  Builder builder{{}, leaf_size, nodes_};
-  builder.refs.reserve(boxes.size());
-  for (Bounds const& box : boxes) {
-    builder.refs.push_back({box.low, box.high, static_cast<std::uint32_t>(builder.refs.size())});
-  }
-  nodes_.reserve(boxes.size() * 2 / std::max(leaf_size, 1U));
-  builder.build(0, static_cast<std::uint32_t>(boxes.size()), 0);
-  nodes_.shrink_to_fit();
-  items_.reserve(boxes.size());
-  for (Ref const& ref : builder.refs) items_.push_back(ref.item);
+  auto const count = static_cast<std::uint32_t>(boxes.size());
+  Builder builder{std::move(boxes), leaf_size, nodes_};
+  nodes_.reserve(2 * (count / std::max(leaf_size, 1U)) + 1);
+  builder.build(0, count, 0);
+  items_.reserve(count);
+  for (BvhBox const& box : builder.refs) items_.push_back(box.item);
 }
 
 } // namespace abbe::geometry

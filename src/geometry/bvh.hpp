@@ -19,12 +19,18 @@ struct BvhNode {
   std::uint32_t count = 0; ///< items of a leaf, 0 for an inner node
 };
 
+/// What a hierarchy is built from. Finite, not empty.
+struct BvhBox {
+  Vec3 low, high;
+  std::uint32_t item;
+  Vec3 centre() const { return low * 0.5 + high * 0.5; }
+};
+
 class Bvh {
 public:
   Bvh() = default;
-  /// @param boxes finite and not empty; items are their indices
   /// @param leaf_size items below which a node is not split
-  explicit Bvh(std::span<Bounds const> boxes, std::uint32_t leaf_size = 2);
+  explicit Bvh(std::vector<BvhBox> boxes, std::uint32_t leaf_size = 2);
 
   std::vector<BvhNode> const& nodes() const { return nodes_; }
   std::vector<std::uint32_t> const& items() const { return items_; }

@@ -33,7 +33,7 @@ Bounds hull(Bounds const& a, Bounds const& b) {
 
 namespace {
 
-/// TracedSolid::traits_
+/// TracedSolid::tree_->traits
 constexpr std::uint8_t carrier = 1, unbounded = 2;
 
 /// Bounded operands outside of all of which the tree is false: few, or none known.
@@ -107,66 +107,74 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
     only_ = source.tree.primitive;
     inverse_ = source.tree.inverse;
     convex_ = primitives[only_].shape().one_interval();
-    return;
+  } else {
+    tree_ = make_tree(source.tree, primitives);
   }
-  program_ = std::make_unique<CsgProgram const>(source.tree);
-  cut_ = ConvexCut::of(source.tree, *program_, primitives);
-  auto const& operands = program_->operands();
+}
+
+std::unique_ptr<TracedSolid::Tree const>
+TracedSolid::make_tree(CsgTree const& source, std::vector<Placed> const& primitives) {
+  auto tree = std::make_unique<Tree>(source);
+  tree->cut = ConvexCut::of(source, tree->program, primitives);
+  auto const& operands = tree->program.operands();
   bool const many = operands.size() > many_operands;
-  traits_.assign(operands.size(), 0);
-  if (auto carriers = carriers_of(source.tree, operands, primitives)) {
-    carriers_ = std::move(*carriers);
-    for (std::uint32_t const operand : carriers_) traits_[operand] |= carrier;
+  tree->traits.assign(operands.size(), 0);
+  if (auto carriers = carriers_of(source, operands, primitives)) {
+    tree->carriers = std::move(*carriers);
+    for (std::uint32_t const operand : tree->carriers) tree->traits[operand] |= carrier;
   }
-  std::vector<Bounds> boxes;
+  std::vector<BvhBox> boxes;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
     Bounds const bounds = primitives[operands[i]].bounds();
     if (bounds.infinite && primitives[operands[i]].shape().solid()) {
-      traits_[i] |= unbounded;
-      unbounded_.push_back(i);
+      tree->traits[i] |= unbounded;
+      tree->unbounded.push_back(i);
     }
     if (!many || bounds.infinite) {
-      if ((traits_[i] & carrier) == 0) always_.push_back(i);
+      if ((tree->traits[i] & carrier) == 0) tree->always.push_back(i);
     } else if (!bounds.empty()) {
-      finite_.push_back(i);
-      boxes.push_back(bounds);
+      boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(tree->finite.size())});
+      tree->finite.push_back(i);
     }
   }
-  operand_bvh_ = Bvh(boxes);
-  merge_ = many && always_.empty() && merges_primitives(source.tree);
+  tree->operand_bvh = Bvh(std::move(boxes));
+  tree->merge = many && tree->always.empty() && merges_primitives(source);
+  return tree;
 }
 
 void TracedSolid::gather_operand(Query const& query, std::uint32_t operand, bool all) const {
-  PrimitiveId const primitive = program_->operands()[operand];
+  PrimitiveId const primitive = tree_->program.operands()[operand];
   std::size_t const before = query.scratch.events.size();
   if (all) {
-    gather(query, primitive, operand, program_->hidden(operand));
+    gather(query, primitive, operand, tree_->program.hidden(operand));
   } else {
-    gather_near(query, primitive, operand, program_->hidden(operand));
+    gather_near(query, primitive, operand, tree_->program.hidden(operand));
   }
-  if ((traits_[operand] & unbounded) == 0) return;
+  if ((tree_->traits[operand] & unbounded) == 0) return;
   for (std::size_t i = before; i < query.scratch.events.size(); ++i) {
     if (query.scratch.events[i].toggles) return;
   }
   // The line is inside or outside all along; a bounded shape is not inside a whole line.
   Placed const& placed = query.primitives[primitive];
-  program_->set(*query.state, operand, placed.shape().inside(placed.to_object(query.ray.origin)));
+  tree_->program.set(*query.state, operand,
+                     placed.shape().inside(placed.to_object(query.ray.origin)));
 }
 
 bool TracedSolid::gather_operands(Query const& query, bool all) const {
-  if (!carriers_.empty()) {
-    for (std::uint32_t const operand : carriers_) gather_operand(query, operand, all);
+  if (!tree_->carriers.empty()) {
+    for (std::uint32_t const operand : tree_->carriers) gather_operand(query, operand, all);
     if (!all && query.scratch.events.empty()) return false;
   }
-  for (std::uint32_t const operand : always_) gather_operand(query, operand, all);
-  if (finite_.empty()) return true;
+  for (std::uint32_t const operand : tree_->always) gather_operand(query, operand, all);
+  if (tree_->finite.empty()) return true;
   // Behind the start, an operand's crossings leave it outside: as if there were none.
   double const to = all ? everywhere : query.until;
-  walk(std::span<BvhNode const>(operand_bvh_.nodes()),
-       std::span<std::uint32_t const>(operand_bvh_.items()),
+  walk(std::span<BvhNode const>(tree_->operand_bvh.nodes()),
+       std::span<std::uint32_t const>(tree_->operand_bvh.items()),
        BoxProbe(query.ray, query.ray.origin_error), all ? -everywhere : 0.0, to,
        [&](std::uint32_t item) {
-         if ((traits_[finite_[item]] & carrier) == 0) gather_operand(query, finite_[item], all);
+         if ((tree_->traits[tree_->finite[item]] & carrier) == 0)
+           gather_operand(query, tree_->finite[item], all);
          return true;
        });
   return true;
@@ -176,7 +184,7 @@ bool TracedSolid::gather_operands(Query const& query, bool all) const {
 /// @return false when the start is inside: then the way out is what counts
 bool TracedSolid::gather_nearest(Query const& query, double& to) const {
   auto& events = query.scratch.events;
-  auto const& operands = program_->operands();
+  auto const& operands = tree_->program.operands();
   bool inside = false;
   auto const take = [&](std::uint32_t operand) {
     std::size_t const first = events.size();
@@ -199,10 +207,10 @@ bool TracedSolid::gather_nearest(Query const& query, double& to) const {
   };
   double const start = 0;
   if (to > query.until) to = query.until;
-  walk(std::span<BvhNode const>(operand_bvh_.nodes()),
-       std::span<std::uint32_t const>(operand_bvh_.items()),
+  walk(std::span<BvhNode const>(tree_->operand_bvh.nodes()),
+       std::span<std::uint32_t const>(tree_->operand_bvh.items()),
        BoxProbe(query.ray, query.ray.origin_error), start, to,
-       [&](std::uint32_t item) { return take(finite_[item]); });
+       [&](std::uint32_t item) { return take(tree_->finite[item]); });
   return !inside;
 }
 
@@ -215,7 +223,7 @@ void TracedSolid::sort_events(Query const& query) const {
   });
   // The last one written is that of the first crossing.
   for (std::size_t i = events.size(); i-- > 0;) {
-    if (events[i].toggles) program_->set(*query.state, events[i].operand, !events[i].entering);
+    if (events[i].toggles) tree_->program.set(*query.state, events[i].operand, !events[i].entering);
   }
 }
 
@@ -223,7 +231,7 @@ void TracedSolid::sort_events(Query const& query) const {
 std::size_t TracedSolid::pass_start(Query const& query) const {
   auto& events = query.scratch.events;
   auto const apply = [&](Event const& event) {
-    if (event.toggles) program_->set(*query.state, event.operand, event.entering);
+    if (event.toggles) tree_->program.set(*query.state, event.operand, event.entering);
   };
   std::size_t next = 0;
   std::size_t last_at_start = 0; // one beyond
@@ -255,7 +263,7 @@ bool TracedSolid::patch_in_group(Query const& query, std::size_t first, std::siz
     Event const& event = events[i];
     if (event.toggles || !event.visible) continue;
     if (shown != nullptr && shown->primitive <= event.primitive) continue;
-    if (program_->decides(*query.state, event.operand)) shown = &event;
+    if (tree_->program.decides(*query.state, event.operand)) shown = &event;
   }
   if (shown == nullptr) return false;
   passage.crossing = {id_, shown->primitive, shown->face, shown->t, shown->entering, false};
@@ -281,10 +289,10 @@ bool TracedSolid::apply_group(Query const& query, std::size_t first, std::size_t
   for (std::size_t i = first; several && i < last; ++i) {
     Event const& event = events[i];
     bool const changes = event.toggles && (state.inside[event.operand] != 0) != event.entering;
-    if (changes && program_->decides(state, event.operand)) prefer(event);
+    if (changes && tree_->program.decides(state, event.operand)) prefer(event);
   }
   for (std::size_t i = first; i < last; ++i) {
-    if (events[i].toggles) program_->set(state, events[i].operand, events[i].entering);
+    if (events[i].toggles) tree_->program.set(state, events[i].operand, events[i].entering);
   }
   if (state.value == before) return patch_in_group(query, first, last, passage);
   if (!several) shown = &events[first];
@@ -292,7 +300,7 @@ bool TracedSolid::apply_group(Query const& query, std::size_t first, std::size_t
   for (std::size_t i = first; several && i < last; ++i) {
     Event const& event = events[i];
     bool const final = event.toggles && (state.inside[event.operand] != 0) == event.entering;
-    if (final && program_->decides(state, event.operand)) prefer(event);
+    if (final && tree_->program.decides(state, event.operand)) prefer(event);
   }
   for (std::size_t i = first; shown == nullptr && i < last; ++i) {
     if (events[i].toggles) prefer(events[i]);
@@ -308,9 +316,10 @@ bool TracedSolid::apply_group(Query const& query, std::size_t first, std::size_t
 
 void TracedSolid::restore(Query const& query) const {
   for (Event const& event : query.scratch.events) {
-    program_->set(*query.state, event.operand, false);
+    tree_->program.set(*query.state, event.operand, false);
   }
-  for (std::uint32_t const operand : unbounded_) program_->set(*query.state, operand, false);
+  for (std::uint32_t const operand : tree_->unbounded)
+    tree_->program.set(*query.state, operand, false);
 }
 
 } // namespace abbe::geometry

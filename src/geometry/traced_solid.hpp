@@ -39,8 +39,8 @@ public:
 
   std::uint8_t mask() const { return mask_; }
   Bounds const& bounds() const { return bounds_; }
-  bool has_program() const { return program_ != nullptr; }
-  CsgProgram const* program() const { return program_.get(); }
+  bool has_program() const { return tree_ != nullptr; }
+  CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
   /// not visible) or a patch. Members are scratch.events[first, last).
@@ -87,23 +87,31 @@ private:
                       Passage& passage) const;
   void restore(Query const& query) const;
 
+  /// What a boolean tree has and a single primitive does not need.
+  struct Tree {
+    explicit Tree(CsgTree const& tree) : program(tree) {}
+    CsgProgram program;
+    std::unique_ptr<ConvexCut const> cut; ///< when the tree is of its kind
+    bool merge = false;                   ///< of primitives alone, and with a hierarchy
+    Bvh operand_bvh;                      ///< over finite operands when there are many
+    std::vector<std::uint32_t> finite;    ///< item of operand_bvh -> operand
+    std::vector<std::uint32_t> always;    ///< operands tested for each ray, but carriers
+    /// Bounded operands outside of all of which the line is outside of the solid; none when there
+    /// are no such or many. They come first: where they have no crossing, nothing has.
+    std::vector<std::uint32_t> carriers;
+    std::vector<std::uint32_t> unbounded; ///< operands that a whole line may be in
+    std::vector<std::uint8_t> traits;     ///< by operand: of these two
+  };
+  static std::unique_ptr<Tree const> make_tree(CsgTree const& source,
+                                               std::vector<Placed> const& primitives);
+
   SolidId id_;
+  PrimitiveId only_ = 0; ///< without a tree: the one primitive
   std::uint8_t mask_;
-  PrimitiveId only_ = 0; ///< without a program: the one primitive
   bool inverse_ = false;
   bool convex_ = false; ///< of the one primitive: a line that leaves it does not come back
-  bool merge_ = false;  ///< of primitives alone, and with a hierarchy
-  std::unique_ptr<CsgProgram const> program_;
-  std::unique_ptr<ConvexCut const> cut_; ///< when the tree is of its kind
+  std::unique_ptr<Tree const> tree_;
   Bounds bounds_;
-  Bvh operand_bvh_;                   ///< over finite operands when there are many
-  std::vector<std::uint32_t> finite_; ///< item of operand_bvh_ -> operand
-  std::vector<std::uint32_t> always_; ///< operands tested for each ray, but carriers
-  /// Bounded operands outside of all of which the line is outside of the solid; none when there are
-  /// no such or many. They come first: where they have no crossing, nothing has.
-  std::vector<std::uint32_t> carriers_;
-  std::vector<std::uint32_t> unbounded_; ///< operands that a whole line may be in
-  std::vector<std::uint8_t> traits_;     ///< by operand: of these two
 };
 
 /// Bounds of a boolean tree: an intersection lies in what its children have in common, a difference
@@ -123,13 +131,13 @@ void sort_few(std::vector<Item>& items) {
 template <class Take>
 bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
   query.scratch.events.clear();
-  if (!program_) {
+  if (!tree_) {
     if (all) return single(query, take);
     single_ahead(query, take);
     return false;
   }
-  if (all || !(cut_ || merge_)) return boolean(query, all, take);
-  std::size_t taken = cut_ ? convex(query, take) : nearest(query, take);
+  if (all || !(tree_->cut || tree_->merge)) return boolean(query, all, take);
+  std::size_t taken = tree_->cut ? convex(query, take) : nearest(query, take);
   if (taken == all_taken) return false;
   // What the short way could not tell, the general way does from the start.
   query.scratch.events.clear();
@@ -140,7 +148,7 @@ bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
 template <class Take>
 std::size_t TracedSolid::convex(Query const& query, Take& take) const {
   ConvexCut::Part part;
-  ConvexCut::Verdict const verdict = cut_->find(query, part);
+  ConvexCut::Verdict const verdict = tree_->cut->find(query, part);
   if (verdict == ConvexCut::Verdict::Nothing) return all_taken;
   if (verdict == ConvexCut::Verdict::Unclear) return 0;
   auto const pass = [&](std::size_t place, bool inside) {
@@ -154,12 +162,12 @@ std::size_t TracedSolid::convex(Query const& query, Take& take) const {
   };
   bool const enters = part.in.t > -everywhere;
   if (enters) {
-    auto const entry = cut_->entry(query, part);
+    auto const entry = tree_->cut->entry(query, part);
     if (!entry) return 0;
     if (!pass(*entry, true)) return all_taken;
   }
   if (!(part.out.t < everywhere) || part.out.t - part.out.error > query.until) return all_taken;
-  auto const exit = cut_->exit(query, part);
+  auto const exit = tree_->cut->exit(query, part);
   if (!exit) return enters ? 1 : 0;
   pass(*exit, false);
   return all_taken;

@@ -39,18 +39,18 @@ struct World::Impl {
   Group make_group(std::uint8_t mask) const {
     Group group;
     group.mask = mask;
-    std::vector<Bounds> boxes;
+    std::vector<BvhBox> boxes;
     for (SolidId id = 0; id < solids.size(); ++id) {
       Bounds const& bounds = solids[id].bounds();
       if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
       if (bounds.infinite) {
         group.infinite.push_back(id);
       } else if (!bounds.empty()) {
+        boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(group.finite.size())});
         group.finite.push_back(id);
-        boxes.push_back(bounds);
       }
     }
-    group.bvh = Bvh(boxes);
+    group.bvh = Bvh(std::move(boxes));
     return group;
   }
   Group const& group(std::uint8_t mask) const {

@@ -37,16 +37,17 @@ void Mesh::permute(std::vector<T>& items, std::vector<std::uint32_t> const& orde
 }
 
 Mesh::Mesh(MeshData data) : data_(std::move(data)) {
-  std::vector<Bounds> boxes;
+  std::vector<BvhBox> boxes;
   boxes.reserve(data_.faces.size());
   for (Corners const& face : data_.faces) {
     Vec3 const& a = data_.vertices[face[0]];
     Vec3 const& b = data_.vertices[face[1]];
     Vec3 const& c = data_.vertices[face[2]];
-    boxes.push_back(
-        {glm::min(a, glm::min(b, c)) - box_slack, glm::max(a, glm::max(b, c)) + box_slack, false});
+    boxes.push_back({glm::min(a, glm::min(b, c)) - box_slack,
+                     glm::max(a, glm::max(b, c)) + box_slack,
+                     static_cast<std::uint32_t>(boxes.size())});
   }
-  Bvh const bvh(boxes, 4);
+  Bvh const bvh(std::move(boxes), 4);
   permute(data_.faces, bvh.items());
   permute(data_.normal_corners, bvh.items());
   permute(data_.uv_corners, bvh.items());
