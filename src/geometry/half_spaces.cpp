@@ -15,10 +15,10 @@ namespace {
 using lane::Double4;
 constexpr std::size_t width = 4;
 
-/// Roundings: of the filter and of the shape's t 22 each at most, of the shape's error bound 26,
-/// in terms of the bounds of the absolute normals; the rest pays for products of errors and for the
-/// speed in the denominator being off by a thousandth.
-constexpr double rounding = gamma_bound(128);
+/// Roundings: of the filter and of the shape's t 22 each at most, of the shape's error bound 26
+/// times group_margin, in terms of the bounds of the absolute normals; the rest pays for products
+/// of errors and for the speed in the denominator being off by a thousandth.
+constexpr double rounding = gamma_bound(256);
 
 double sum_of_sizes(Vec3 const& v) {
   return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);

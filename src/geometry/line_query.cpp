@@ -26,8 +26,9 @@ void gather_all(LineQuery const& query, PrimitiveId primitive, std::uint32_t ope
   crossings.clear();
   placed.shape().crossings(placed.to_object(query.ray), start, crossings);
   for (Crossing const& c : crossings) {
-    query.scratch.events.push_back({c.t, c.error, primitive, operand, c.face, c.entering, c.toggles,
-                                    c.visible && !hidden, at_start(query, start != nullptr, c)});
+    query.scratch.events.push_back({c.t, group_margin * c.error, primitive, operand, c.face,
+                                    c.entering, c.toggles, c.visible && !hidden,
+                                    at_start(query, start != nullptr, c)});
   }
 }
 

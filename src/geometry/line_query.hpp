@@ -22,9 +22,14 @@ struct LineQuery {
 /// The start on the primitive, when the ray has one there. @return false when it has none
 bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start);
 
+/// Crossings are one group when these multiples of their error intervals overlap. So what is not in
+/// the group that a ray departs from is further from its start than the errors of both, and which
+/// side of the start it is on is certain: a crossing is neither lost nor met twice.
+inline constexpr double group_margin = 4;
+
 /// Belongs to the group that the ray departs from? @param starts on the crossing's own primitive
 inline bool at_start(LineQuery const& query, bool starts, Crossing const& c) {
-  return starts ? c.t == 0 : query.from != nullptr && std::fabs(c.t) <= c.error + c.slack;
+  return starts ? c.t == 0 : query.from != nullptr && std::fabs(c.t) <= c.error;
 }
 
 /// Appends the crossings of the whole line with one primitive to scratch.events.

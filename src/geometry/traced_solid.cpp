@@ -314,6 +314,15 @@ bool TracedSolid::apply_group(Query const& query, std::size_t first, std::size_t
   return true;
 }
 
+bool TracedSolid::departs_inside(Query const& query) const {
+  if (query.from == nullptr) return false;
+  auto const& operands = tree_->program.operands();
+  return std::any_of(query.from->on.begin(), query.from->on.end(), [&](Departure::On const& on) {
+    return on.was_entering == query.from->through
+           && std::binary_search(operands.begin(), operands.end(), on.primitive);
+  });
+}
+
 void TracedSolid::restore(Query const& query) const {
   for (Event const& event : query.scratch.events) {
     tree_->program.set(*query.state, event.operand, false);

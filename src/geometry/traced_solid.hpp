@@ -16,7 +16,7 @@
 ///    any.
 /// 2. What the ray departs from is applied, not reported: the starts themselves (t == 0), and
 /// crossings
-///    of other operands with |t| within error + slack. The other roots of a primitive that the ray
+///    of other operands with |t| within error. The other roots of a primitive that the ray
 ///    starts on are never part of it: they are on the side that the departure says.
 /// 3. The rest falls into runs of overlapping error intervals [t - error, t + error]. A run of a
 /// single
@@ -86,6 +86,8 @@ private:
   bool patch_in_group(Query const& query, std::size_t first, std::size_t last,
                       Passage& passage) const;
   void restore(Query const& query) const;
+  /// Does the ray depart to the inside of an operand? Then it starts inside of a merge.
+  bool departs_inside(Query const& query) const;
 
   /// What a boolean tree has and a single primitive does not need.
   struct Tree {
@@ -137,7 +139,9 @@ bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
     return false;
   }
   if (all || !(tree_->cut || tree_->merge)) return boolean(query, all, take);
-  std::size_t taken = tree_->cut ? convex(query, take) : nearest(query, take);
+  std::size_t taken = tree_->cut              ? convex(query, take)
+                      : departs_inside(query) ? 0
+                                              : nearest(query, take);
   if (taken == all_taken) return false;
   // What the short way could not tell, the general way does from the start.
   query.scratch.events.clear();
@@ -195,10 +199,11 @@ void TracedSolid::single_ahead(Query const& query, Take& take) const {
       inside = entering;
       known = true;
     }
-    events.push_back({c.t, c.error, only_, 0, c.face, c.entering, c.toggles, c.visible, false});
+    events.push_back(
+        {c.t, group_margin * c.error, only_, 0, c.face, c.entering, c.toggles, c.visible, false});
     std::size_t const place = events.size() - 1;
     if (!take(Passage{{id_, only_, c.face, c.t, entering, c.toggles},
-                      c.error,
+                      group_margin * c.error,
                       c.visible,
                       inside,
                       place,
