@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/bad_sample_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_arguments.hpp"
@@ -95,6 +96,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember({"clip", "standard", "hue"}))
       ->capture_default_str();
   app.add_flag("--half", arguments.half, "16-bit EXR");
+  app.add_flag("--check-finite", options.check_finite,
+               "end at the first sample that is not a number, infinite or negative, and say which "
+               "path made it");
 }
 
 image::WriteOptions write_options(Arguments const& arguments) {
@@ -158,6 +162,10 @@ int render_scene(Arguments& arguments) {
   if (result.interrupted) {
     fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
     return 130;
+  }
+  if (result.bad_sample) {
+    fmt::print(stderr, "abbe render: {}", bad_sample_text(*result.bad_sample));
+    return 1;
   }
   describe(result, arguments, *plan);
   auto const written = image::write(result.image, arguments.output, write_options(arguments));

@@ -28,6 +28,9 @@ struct Beam {
   /// Not to be split again: false for a polychromatic beam and for the faithful scheme's doubled
   /// rays before their second refraction.
   bool locked = false;
+  /// The companion of a beam that met a stochastic material: it goes on as if such materials did
+  /// not disperse (SampleFilm says what for).
+  bool control = false;
 
   bool monochromatic() const { return wave != polychromatic; }
 };

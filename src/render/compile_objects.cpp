@@ -178,6 +178,8 @@ private:
     piece.tree.primitive = static_cast<geometry::PrimitiveId>(primitives_.size());
     primitives_.push_back({object.shape, object.placement.then(to_stage_)});
     Surface surface;
+    surface.object = object.span;
+    surface.keyword = object.keyword;
     surface.double_illuminate = object.double_illuminate.value_or(false);
     if (object.texture) surface.layers = layers(*object.texture);
     if (object.interior_texture) surface.interior_layers = layers(*object.interior_texture);

@@ -23,13 +23,17 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       options_(options),
       tracer_(tracer),
       frame_key_(options.seed),
-      grid_(std::int64_t{1} << options.anti_aliasing.depth) {}
+      grid_(std::int64_t{1} << options.anti_aliasing.depth),
+      negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
 
 Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t index) {
   Sampled out;
   if (options_.spectral_output) out.bands.resize(static_cast<std::size_t>(stage_.channels));
   auto const ray = camera_ray(stage_.camera, x, y, options_.width, options_.height);
   out.rgb = tracer_.sample(ray, {pixel, index}, out.bands);
+  if (options_.check_finite && !wrong_)
+    if (auto const kind = tracer_.wrong(out.rgb, negative_is_wrong_))
+      wrong_ = Wrong{*kind, x, y, {pixel, index}, out.rgb};
   return out;
 }
 

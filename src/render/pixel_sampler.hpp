@@ -33,6 +33,15 @@ public:
   /// Do two samples differ by more than the threshold, as the eye sees them (gamma 2.5)?
   bool differ(Vec3 const& a, Vec3 const& b) const;
 
+  /// With RenderOptions::check_finite: the first sample whose light is wrong, without its path.
+  struct Wrong {
+    BadSample::Kind kind;
+    double x, y; ///< on the picture plane, pixels
+    SampleKey key;
+    Vec3 rgb;
+  };
+  std::optional<Wrong> const& wrong() const { return wrong_; }
+
 private:
   Sampled at(double x, double y, RandomKey pixel, std::uint64_t index);
   Sampled corner(std::int64_t x, std::int64_t y);
@@ -43,6 +52,8 @@ private:
   Tracer& tracer_;
   RandomKey frame_key_;
   std::int64_t grid_; ///< steps per pixel of method 2
+  bool negative_is_wrong_ = false;
+  std::optional<Wrong> wrong_;
 };
 
 } // namespace abbe::render

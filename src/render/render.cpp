@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/render.hpp"
 
+#include "render/camera.hpp"
 #include "render/pixel_sampler.hpp"
 #include "render/working_space.hpp"
 
@@ -10,6 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 namespace abbe::render {
@@ -47,11 +49,12 @@ public:
       for_each_pixel(
           [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.centre(x, y)); }, 0,
           first);
-      refine(first);
+      if (!wrong_) refine(first);
     } else {
       for_each_pixel(
           [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.centre(x, y)); }, 0, 1);
     }
+    if (wrong_) result_.bad_sample = look_into(*wrong_);
     CutLight cut;
     for (auto const& tracer : tracers_) {
       result_.counts.add(tracer.counts());
@@ -68,6 +71,11 @@ public:
   }
 
 private:
+  struct WrongPixel {
+    PixelSampler::Wrong wrong;
+    int x, y;
+  };
+
   bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
 
   std::size_t index(int x, int y) const {
@@ -132,12 +140,38 @@ private:
         int const x0 = region_.x0 + tile % across * size, y0 = region_.y0 + tile / across * size;
         for (int y = y0; y < std::min(y0 + size, region_.y1); ++y) {
           if (stopped()) return;
-          for (int x = x0; x < std::min(x0 + size, region_.x1); ++x) work(sampler, x, y);
+          for (int x = x0; x < std::min(x0 + size, region_.x1); ++x) {
+            if (index(x, y) > first_wrong_.load(std::memory_order_relaxed)) break;
+            work(sampler, x, y);
+            if (sampler.wrong()) return keep(*sampler.wrong(), x, y);
+          }
         }
         rays_ += tracer.counts().total() - before;
         report(done_share + share * ++finished / (across * down));
       });
     });
+  }
+
+  /// The first in rows stays, whatever the order in which they were found.
+  void keep(PixelSampler::Wrong const& wrong, int x, int y) {
+    std::lock_guard const lock(wrong_mutex_);
+    if (wrong_ && index(x, y) > first_wrong_) return;
+    first_wrong_ = index(x, y);
+    wrong_ = {wrong, x, y};
+  }
+
+  /// Traces the sample again, with a record of its path.
+  BadSample look_into(WrongPixel const& found) const {
+    auto const& [wrong, x, y] = found;
+    Tracer tracer(stage_);
+    PathRecorder recorder(stage_, negative_light_is_wrong(stage_));
+    tracer.record(recorder);
+    auto const ray = camera_ray(stage_.camera, wrong.x, wrong.y, options_.width, options_.height);
+    std::vector<double> bands(options_.spectral_output ? static_cast<std::size_t>(stage_.channels)
+                                                       : 0);
+    tracer.sample(ray, wrong.key, bands);
+    recorder.end(tracer);
+    return {wrong.kind, x, y, wrong.key.number, wrong.rgb, recorder.path()};
   }
 
   void report(double share) {
@@ -154,6 +188,9 @@ private:
   tbb::enumerable_thread_specific<Tracer> tracers_;
   std::atomic<std::uint64_t> rays_{0};
   std::mutex progress_;
+  std::atomic<std::size_t> first_wrong_{std::numeric_limits<std::size_t>::max()};
+  std::optional<WrongPixel> wrong_;
+  std::mutex wrong_mutex_;
 };
 
 } // namespace

@@ -42,6 +42,14 @@ struct RenderOptions {
   int tile_size = 32;
   std::function<void(Progress const&)> on_progress; ///< called from one thread at a time
   std::atomic<bool> const* stop = nullptr;          ///< set: leave soon
+  /// Look at every sample: the first (in rows) whose light is not a number, infinite (as a float)
+  /// or negative ends the work. Negative light is right in scenes that ask for it
+  /// (negative_light_is_wrong).
+#ifdef NDEBUG
+  bool check_finite = false;
+#else
+  bool check_finite = true;
+#endif
 };
 
 struct RenderResult {
@@ -52,6 +60,8 @@ struct RenderResult {
   /// pass on no more than arrives.
   double missing_mean = 0, missing_most = 0;
   bool interrupted = false;
+  /// With check_finite: there is no picture because of this.
+  std::optional<BadSample> bad_sample;
 };
 
 /// The picture of a scene. The same bytes for any number of threads and any tile size.

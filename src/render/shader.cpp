@@ -283,7 +283,7 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
               0,
               filter_shadow_bit};
   ++tracer_.depth_;
-  Tracer::Frame& frame = tracer_.frame(tracer_.depth_);
+  Tracer::Frame& frame = tracer_.frame(tracer_.depth_, way, beam_);
   double rest = distance;
   bool lit = true;
   Beam light = beam_; // what is left of it

@@ -84,6 +84,8 @@ struct Surface {
   std::vector<int> interior_layers; ///< seen from inside, when the scene gives them
   std::vector<std::vector<int>> face_layers;
   bool double_illuminate = false;
+  Span object; ///< of the shape, for messages
+  std::string_view keyword;
 };
 
 struct CompiledSolid {

@@ -79,15 +79,18 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
 void Tracer::cut(Beam const& beam, int lanes) {
   Vec3 sum(0);
   for (int k = 0; k < lanes; ++k)
-    sum += beam.throughput[k] * glm::abs(stage_.rgb_weights[beam.channel[k]]);
+    sum += beam.throughput[k] * glm::abs(film_.colour(beam.slot[k], waves_));
   if (sum == Vec3(0)) return;
   ++cut_.paths;
   cut_here_ += sum;
 }
 
-Tracer::Frame& Tracer::frame(int depth) {
+void Tracer::prepare_frame(int depth, PathRay const& ray, Beam const& beam) {
   while (frames_.size() <= static_cast<std::size_t>(depth)) frames_.emplace_back();
-  return frames_[static_cast<std::size_t>(depth)];
+  if (recorder_)
+    recorder_->begin(*this, depth, ray, beam);
+  else
+    ready_frames_ = depth + 1;
 }
 
 InsideNode const* Tracer::inside_at(Vec3 const& point) {
@@ -233,7 +236,7 @@ InsideNode const* Tracer::travel(PathRay const& ray, double distance, Beam& beam
 void Tracer::trace(PathRay const& ray, Beam const& incoming) {
   if (ray.level >= stage_.max_trace_level) return cut(incoming, incoming.lanes);
   ++depth_;
-  Frame& here = frame(depth_);
+  Frame& here = frame(depth_, ray, incoming);
   double constexpr infinity = std::numeric_limits<double>::infinity();
   bool const found =
       stage_.world->closest(ray.line, ray.from, ray.mask, infinity, *scratch_, here.hit);

@@ -4,6 +4,7 @@
 #include "render/arena.hpp"
 #include "render/beam.hpp"
 #include "render/interface.hpp"
+#include "render/path_record.hpp"
 #include "render/sample_film.hpp"
 #include "render/stage.hpp"
 #include "render/wave_tables.hpp"
@@ -61,7 +62,15 @@ public:
   RayCounts const& counts() const { return counts_; }
   CutLight const& cut_light() const { return cut_; }
 
+  /// Is the light of the last sample finite, and not negative where that is wrong?
+  std::optional<BadSample::Kind> wrong(Vec3 const& rgb, bool negative_is_wrong) const {
+    return what_is_wrong(film_.light(), rgb, negative_is_wrong);
+  }
+  /// Tells this recorder of every ray from now on. @pre no sample was traced yet
+  void record(PathRecorder& recorder) { recorder_ = &recorder; }
+
 private:
+  friend class PathRecorder;
   friend class Shader;
   struct Frame {
     geometry::HitGroup hit;
@@ -101,18 +110,29 @@ private:
                 LaneSurface const& surface, InsideNode const* after);
   void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
              InsideNode const* after);
+  /// Sends the companion of a beam that meets its first stochastic material (Beam::control).
+  void follow_control(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                      LaneSurface const& surface, InsideNode const* after);
   /// The beam once it met a dispersing material of this stochastic setting: its light is kept apart
   /// on the film.
   Beam jittered(Beam const& beam, int jitter);
   /// The published scheme: every lane becomes two, of the bands that its wavelength falls between.
   Beam doubled(Beam const& beam, int jitter);
 
-  Frame& frame(int depth);
+  /// Where a ray of this depth keeps what it meets.
+  Frame& frame(int depth, PathRay const& ray, Beam const& beam) {
+    if (depth >= ready_frames_) prepare_frame(depth, ray, beam);
+    return frames_[static_cast<std::size_t>(depth)];
+  }
+  /// Makes frames as they are needed; with a recorder, none is ever ready without its knowing.
+  void prepare_frame(int depth, PathRay const& ray, Beam const& beam);
 
   Stage const& stage_;
   Arena arena_;
   geometry::ScratchPtr scratch_;
   std::deque<Frame> frames_;
+  int ready_frames_ = 0;
+  PathRecorder* recorder_ = nullptr;
   int depth_ = 0;
   WaveTables waves_;
   SampleFilm film_;

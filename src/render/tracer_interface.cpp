@@ -54,8 +54,10 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   Medium const& after = stage_.media[static_cast<std::size_t>(face.after)];
   face.fresnel = before.fresnel || after.fresnel;
-  face.splits =
-      face.before != face.after && !beam.locked && (before.dispersive || after.dispersive);
+  face.split_medium = after.dispersive ? face.after : face.before;
+  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
+  face.splits = face.before != face.after && !beam.locked && governing.dispersive
+                && !(beam.control && governing.jitter >= 0);
   if (!face.splits) {
     double const n1 = index_of(face.before, beam);
     double const n2 = index_of(face.after, beam);
@@ -67,8 +69,6 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
     return;
   }
   face.bends = true;
-  face.split_medium = after.dispersive ? face.after : face.before;
-  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
   bool const second = beam.monochromatic() || beam.lanes > stage_.channels;
   face.split_wave = governing.jitter < 0 ? band_means
                     : second             ? waves_.second_draw(governing.jitter)
@@ -103,6 +103,34 @@ void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
   LaneSurface const surface = Shader(*this, ray, beam, frame, face, after).shade();
   reflect(ray, beam, frame, face, surface);
   transmit(ray, beam, frame, face, surface, after);
+  if (face.splits) follow_control(ray, beam, frame, face, surface, after);
+}
+
+void Tracer::follow_control(PathRay const& ray, Beam const& beam, Frame& frame,
+                            LaneInterface const& face, LaneSurface const& surface,
+                            InsideNode const* after) {
+  int const jitter = stage_.media[static_cast<std::size_t>(face.split_medium)].jitter;
+  // Light that is apart on the film already has its companion.
+  if (jitter < 0 || !film_.has_control(jitter)
+      || beam.slot[0] >= static_cast<std::uint32_t>(stage_.channels))
+    return;
+  Arena::Scope const scope(arena_);
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* slot = arena_.take<std::uint32_t>(n);
+  Beam control = beam;
+  control.control = true;
+  control.slot = slot;
+  LaneInterface middle = face;
+  find_interface(control, ray.line.direction, middle);
+  LaneSurface own = surface;
+  if (surface.explicit_reflection) {
+    // It may mirror by its Fresnel reflectance. Its own light was added with the beam's.
+    std::fill_n(slot, n, film_.unused_slot());
+    own = Shader(*this, ray, control, frame, middle, after).shade();
+  }
+  for (std::size_t k = 0; k < n; ++k) slot[k] = film_.control_slot(jitter, beam.channel[k]);
+  reflect(ray, control, frame, middle, own);
+  transmit(ray, control, frame, middle, own, after);
 }
 
 void Tracer::pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after) {
@@ -118,10 +146,10 @@ void Tracer::pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode
 
 Beam Tracer::jittered(Beam const& beam, int jitter) {
   JitterSettings const& settings = stage_.jitters[static_cast<std::size_t>(jitter)];
-  // Triangular jitter draws the wavelength from the band's own hat: its light is the band's, whole.
-  if (settings.jitter == scene::DispersionMode::Jitter::Triangular) return beam;
   if (settings.faithful)
     return !beam.monochromatic() && beam.lanes == stage_.channels ? doubled(beam, jitter) : beam;
+  // Triangular jitter draws the wavelength from the band's own hat: its light is the band's, whole.
+  if (settings.jitter == scene::DispersionMode::Jitter::Triangular) return beam;
   Beam out = beam;
   auto* slot = arena_.take<std::uint32_t>(static_cast<std::size_t>(beam.lanes));
   for (int k = 0; k < beam.lanes; ++k)
@@ -243,6 +271,7 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
     if (!(beam.throughput[k] > stage_.adc_bailout)) {
       Beam ended = beam;
       ended.channel += k;
+      ended.slot += k;
       ended.throughput += k;
       cut(ended, 1);
       continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/wave_tables.hpp"
 
-#include "optics/color.hpp"
 #include "render/beam.hpp"
 
 #include <algorithm>
@@ -97,23 +96,10 @@ std::span<Vec3 const> WaveTables::rgb_weights(int wave) {
   Table& t = table(wave);
   if (!t.weights_known) {
     optics::Bands const& bands = *stage_.bands;
-    auto const lambdas = lambdas_nm(wave);
-    Vec3 sum(0);
     t.rgb_weights.clear();
-    for (int i = 0; i < stage_.channels; ++i) {
-      Vec3 const xyz = bands.width(i) * bands.xyz_density(lambdas[static_cast<std::size_t>(i)]);
-      t.rgb_weights.push_back(xyz);
-      sum += xyz;
-    }
-    Vec3 scale;
-    // A component that the whole comb misses (one band in the far red has no Z) is taken from the
-    // bands.
-    for (int c = 0; c < 3; ++c) {
-      scale[c] = sum[c] > 0 ? optics::srgb_white_xyz[c] / sum[c] : 1;
-      for (int i = 0; sum[c] == 0 && i < stage_.channels; ++i)
-        t.rgb_weights[static_cast<std::size_t>(i)][c] = bands.xyz_weight(i)[c];
-    }
-    for (auto& weight : t.rgb_weights) weight = optics::xyz_to_rgb(weight * scale);
+    for (double const lambda_nm : lambdas_nm(wave))
+      t.rgb_weights.push_back(bands.width(bands.index_of(lambda_nm))
+                              * bands.rgb_density(lambda_nm));
     t.weights_known = true;
   }
   return t.rgb_weights;

@@ -48,7 +48,8 @@ public:
     double second_weight = 0;
   };
   std::span<Spread const> spreads(int wave);
-  /// Colour of one unit of light at each wavelength of the draw.
+  /// Colour of one unit of light at each wavelength of the draw: the colour-matching functions
+  /// there times the width of the band there. The mean over the draws is the band's colour.
   std::span<Vec3 const> rgb_weights(int wave);
 
 private:
