@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>
+#include <string_view>
+#include <utility>
 
 static_assert(std::endian::native == std::endian::little, "OpenEXR headers are little-endian");
 
@@ -14,6 +16,7 @@ namespace {
 /// Bytes of the header in order. After an attempt to read past the end `ok` is false for good.
 struct Cursor {
   std::FILE* file;
+  std::int64_t size; ///< of the file
   bool ok = true;
 
   void bytes(void* to, std::size_t count) {
@@ -34,8 +37,9 @@ struct Cursor {
     }
     return result;
   }
-  void skip(std::int64_t count) {
-    if (::fseeko(file, static_cast<off_t>(count), SEEK_CUR) != 0) ok = false;
+  std::int64_t at() const { return ::ftello(file); }
+  void go_to(std::int64_t place) {
+    if (place > size || ::fseeko(file, static_cast<off_t>(place), SEEK_SET) != 0) ok = false;
   }
 };
 
@@ -69,19 +73,65 @@ void read_channels(Cursor& in, Claims& claims) {
   }
 }
 
+/// Types whose values OpenEXR reads without a look at the size that stands before them.
+std::int64_t fixed_size(std::string_view type) {
+  constexpr std::pair<std::string_view, std::int64_t> sizes[] = {
+      {"box2i", 16},      {"box2f", 16},    {"chromaticities", 32},
+      {"compression", 1}, {"double", 8},    {"envmap", 1},
+      {"float", 4},       {"int", 4},       {"keycode", 28},
+      {"m33f", 36},       {"m33d", 72},     {"m44f", 64},
+      {"m44d", 128},      {"v2i", 8},       {"v2f", 8},
+      {"v2d", 16},        {"v3i", 12},      {"v3f", 12},
+      {"v3d", 24},        {"lineOrder", 1}, {"deepImageState", 1},
+      {"rational", 8},    {"tiledesc", 9},  {"timecode", 8}};
+  for (auto const& [name, size] : sizes)
+    if (name == type) return size;
+  return -1;
+}
+
+/// Does the value of an attribute end where its size says, and need no more memory than the file
+/// can account for? Else OpenEXR would read what follows as something else, or allocate gigabytes.
+void check_value(Cursor& in, std::string_view type, std::int64_t size) {
+  std::int64_t const end = in.at() + size;
+  std::int64_t const fixed = fixed_size(type);
+  if (size < 0 || end > in.size || (fixed >= 0 && fixed != size)) {
+    in.ok = false;
+  } else if (type == "stringvector") {
+    while (in.ok && in.at() < end) {
+      auto const length = in.value<std::int32_t>();
+      if (length < 0 || in.at() + length > end)
+        in.ok = false;
+      else
+        in.go_to(in.at() + length);
+    }
+  } else if (type == "preview") {
+    auto const width = in.value<std::uint32_t>(), height = in.value<std::uint32_t>();
+    if (8 + 4.0 * width * height != static_cast<double>(size)) in.ok = false;
+  } else if (type == "idmanifest") {
+    // Deflated; the number is its size when inflated.
+    if (in.value<std::uint32_t>() > 1032.0 * static_cast<double>(size)) in.ok = false;
+  }
+}
+
 void read_attributes(Cursor& in, Claims& claims) {
   while (in.ok) {
     std::string const name = in.text();
     if (name.empty()) return;
     std::string const type = in.text();
     auto const size = in.value<std::int32_t>();
-    if (size < 0) in.ok = false;
-    off_t const start = ::ftello(in.file);
+    std::int64_t const start = in.at();
+    check_value(in, type, size);
+    if (!in.ok) return;
+    in.go_to(start);
     if (name == "dataWindow" && type == "box2i")
       claims.window = in.value<decltype(claims.window)>();
     if (name == "compression") claims.compression = in.value<std::uint8_t>();
-    if (name == "channels") read_channels(in, claims);
-    if (in.ok && ::fseeko(in.file, start + size, SEEK_SET) != 0) in.ok = false;
+    if (type == "chlist") {
+      Claims other;
+      read_channels(in, name == "channels" ? claims : other);
+      if (in.at() != start + size) in.ok = false;
+    }
+    in.go_to(start + size);
   }
 }
 
@@ -89,21 +139,30 @@ void read_attributes(Cursor& in, Claims& claims) {
 
 Status check_exr_header(std::filesystem::path const& path, InputFile const& file) {
   std::rewind(file.stream.get());
-  Cursor in{file.stream.get()};
+  Cursor in{file.stream.get(), static_cast<std::int64_t>(file.size)};
   auto const magic = in.value<std::uint32_t>();
   auto const version = in.value<std::uint32_t>();
   if (!in.ok || magic != 20000630) return damaged(path, "it does not begin like an OpenEXR file");
   if (version & 0x800) return unsupported(path, "it holds deep data");
-  Claims claims;
-  read_attributes(in, claims);
-  if (!in.ok) return damaged(path, "its header is broken off or makes no sense");
-  if (claims.compression >= static_cast<int>(best_ratio.size()))
-    return unsupported(path, fmt::format("its compression has the number {}", claims.compression));
-  auto const [x0, y0, x1, y1] = claims.window;
-  double const most = static_cast<double>(file.size)
-                      * best_ratio[static_cast<std::size_t>(claims.compression)]
-                      / claims.bytes_per_pixel;
-  return check_size(path, std::int64_t{x1} - x0 + 1, std::int64_t{y1} - y0 + 1, most);
+  // One header; of a file of several parts one each, and an empty one at the end.
+  bool const parts = (version & 0x1000) != 0;
+  for (bool first = true;; first = false) {
+    Claims claims;
+    std::int64_t const start = in.at();
+    read_attributes(in, claims);
+    if (!in.ok) return damaged(path, "its header is broken off or makes no sense");
+    if (!first && in.at() == start + 1) return std::monostate{};
+    if (claims.compression >= static_cast<int>(best_ratio.size()))
+      return unsupported(path,
+                         fmt::format("its compression has the number {}", claims.compression));
+    auto const [x0, y0, x1, y1] = claims.window;
+    double const most = static_cast<double>(file.size)
+                        * best_ratio[static_cast<std::size_t>(claims.compression)]
+                        / claims.bytes_per_pixel;
+    Status const fits =
+        check_size(path, std::int64_t{x1} - x0 + 1, std::int64_t{y1} - y0 + 1, most);
+    if (!fits || !parts) return fits;
+  }
 }
 
 } // namespace abbe::image

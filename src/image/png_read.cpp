@@ -19,10 +19,15 @@ struct Reader {
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
+/// Bytes that deflate makes of one at its best (RFC 1951: 258 in 2 bits).
+constexpr std::uint64_t best_deflate = 1032;
+
 /// Header and ancillary chunks; then asks for RGB or RGBA of 8 or 16 bits.
-void begin(Reader& reader, std::FILE* stream) {
+void begin(Reader& reader, std::FILE* stream, std::uint64_t file_size) {
   png_structp const png = reader.png;
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  // A chunk that claims more than the whole file could hold, deflated, is refused unread.
+  png_set_chunk_malloc_max(png, static_cast<png_alloc_size_t>(file_size * best_deflate));
   png_init_io(png, stream);
   png_read_info(png, reader.info);
 }
@@ -92,14 +97,13 @@ Result<Image> read_png(std::filesystem::path const& path) {
   if (!reader.info) return damaged(path, "no memory to read it");
   auto const failed = [&] { return damaged(path, reader.errors.message); };
   std::FILE* const stream = file->stream.get();
-  if (!png_guarded(reader.png, [&] { begin(reader, stream); })) return failed();
+  if (!png_guarded(reader.png, [&] { begin(reader, stream, file->size); })) return failed();
 
   auto const width = png_get_image_width(reader.png, reader.info);
   auto const height = png_get_image_height(reader.png, reader.info);
   double const bits_per_pixel =
       png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
-  // Deflate at its best makes 1032 bytes of one.
-  double const most = static_cast<double>(file->size) * 1032 * 8 / bits_per_pixel;
+  double const most = static_cast<double>(file->size * best_deflate) * 8 / bits_per_pixel;
   if (Status const sane = check_size(path, width, height, most); !sane) return sane.error();
 
   if (!png_guarded(reader.png, [&] { expand(reader); })) return failed();

@@ -36,17 +36,18 @@ bool negative_light_is_wrong(Stage const& stage) {
 
 std::optional<BadSample::Kind> what_is_wrong(std::span<double const> light, Vec3 const& rgb,
                                              bool negative_is_wrong) {
-  bool infinite = false, below = false;
-  auto const look = [&](double value) {
-    infinite = infinite || std::isinf(value);
-    return std::isnan(value);
-  };
-  bool nan = false;
+  bool nan = false, infinite = false, below = false;
   for (double const value : light) {
-    nan = look(value) || nan;
+    nan = nan || std::isnan(value);
+    infinite = infinite || std::isinf(value);
     below = below || value < 0;
   }
-  for (int c = 0; c < 3; ++c) nan = look(static_cast<float>(rgb[c])) || nan;
+  // Infinite light has no colour: inf - inf.
+  if (!nan && !infinite)
+    for (int c = 0; c < 3; ++c) {
+      nan = nan || std::isnan(rgb[c]);
+      infinite = infinite || std::isinf(static_cast<float>(rgb[c]));
+    }
   if (nan) return BadSample::Kind::NotANumber;
   if (infinite) return BadSample::Kind::Infinite;
   if (below && negative_is_wrong) return BadSample::Kind::Negative;

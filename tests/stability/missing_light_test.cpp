@@ -2,6 +2,7 @@
 #include "lang/evaluate.hpp"
 #include "render/render.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ std::vector<Mode> modes() {
     scene::DispersionMode out;
     out.kind = kind;
     out.jitter = jitter;
-    out.width_bands = width;
+    out.jitter_width_bands = width;
     out.faithful = faithful;
     return out;
   };
@@ -94,13 +95,13 @@ TEST_P(MissingLight, IsWithinWhatTheFileSays) {
   Limits const shallow{scene.settings.adc_bailout, scene.settings.max_trace_level};
   for (Mode const& mode : modes()) {
     SCOPED_TRACE(mode.name);
-    auto const more = render_with(scene, deep, mode, 4, 3);
-    auto const usual = render_with(scene, by_default, mode, 4, 3);
+    auto const more = render_with(scene, deep, mode, 6, 6);
+    auto const usual = render_with(scene, by_default, mode, 6, 6);
     expect_bounded(usual, more);
     // Without sign: a picture of what is missing.
     EXPECT_LE(std::abs(light(more) - light(usual)), 1e-4 * light(more));
     for (Limits const& limits : {shallow, Limits{1.0 / 255, 5}, Limits{0.1, 3}})
-      expect_bounded(render_with(scene, limits, mode, 4, 3), more);
+      expect_bounded(render_with(scene, limits, mode, 6, 6), more);
   }
 }
 
@@ -113,7 +114,9 @@ std::vector<std::string> scenes() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, MissingLight, ::testing::ValuesIn(scenes()),
-                         [](auto const& instance) { return fs::path(instance.param).stem().string(); });
+                         [](auto const& instance) {
+                           return fs::path(instance.param).stem().string();
+                         });
 
 } // namespace
 } // namespace abbe::render
