@@ -5,6 +5,7 @@
 #include "image/png_guard.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace abbe::image {
 namespace {
@@ -19,15 +20,27 @@ struct Reader {
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// Bytes that deflate makes of one at its best (RFC 1951: 258 in 2 bits).
-constexpr std::uint64_t best_deflate = 1032;
+/// Does every chunk lie within the file? libpng allocates what a chunk claims before it reads, and
+/// its own limit is a warning.
+bool chunks_fit(InputFile const& file) {
+  for (std::uint64_t at = 8; at + 8 <= file.size;) {
+    png_byte head[8];
+    if (::fseeko(file.stream.get(), static_cast<off_t>(at), SEEK_SET) != 0
+        || std::fread(head, 1, sizeof head, file.stream.get()) != sizeof head)
+      return false;
+    std::uint64_t const length = png_get_uint_32(head);
+    if (std::memcmp(head + 4, "IEND", 4) == 0) break;
+    if (length + 12 > file.size - at) return false;
+    at += length + 12;
+  }
+  std::rewind(file.stream.get());
+  return true;
+}
 
 /// Header and ancillary chunks; then asks for RGB or RGBA of 8 or 16 bits.
-void begin(Reader& reader, std::FILE* stream, std::uint64_t file_size) {
+void begin(Reader& reader, std::FILE* stream) {
   png_structp const png = reader.png;
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  // A chunk that claims more than the whole file could hold, deflated, is refused unread.
-  png_set_chunk_malloc_max(png, static_cast<png_alloc_size_t>(file_size * best_deflate));
   png_init_io(png, stream);
   png_read_info(png, reader.info);
 }
@@ -90,6 +103,7 @@ void read_texts(Reader const& reader, Image& image) {
 Result<Image> read_png(std::filesystem::path const& path) {
   Result<InputFile> file = open_input(path);
   if (!file) return file.error();
+  if (!chunks_fit(*file)) return damaged(path, "it breaks off within a chunk");
   Reader reader;
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.errors, PngErrors::on_error,
                                       PngErrors::on_warning);
@@ -97,13 +111,14 @@ Result<Image> read_png(std::filesystem::path const& path) {
   if (!reader.info) return damaged(path, "no memory to read it");
   auto const failed = [&] { return damaged(path, reader.errors.message); };
   std::FILE* const stream = file->stream.get();
-  if (!png_guarded(reader.png, [&] { begin(reader, stream, file->size); })) return failed();
+  if (!png_guarded(reader.png, [&] { begin(reader, stream); })) return failed();
 
   auto const width = png_get_image_width(reader.png, reader.info);
   auto const height = png_get_image_height(reader.png, reader.info);
   double const bits_per_pixel =
       png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
-  double const most = static_cast<double>(file->size * best_deflate) * 8 / bits_per_pixel;
+  // Deflate at its best makes 1032 bytes of one.
+  double const most = static_cast<double>(file->size) * 1032 * 8 / bits_per_pixel;
   if (Status const sane = check_size(path, width, height, most); !sane) return sane.error();
 
   if (!png_guarded(reader.png, [&] { expand(reader); })) return failed();
