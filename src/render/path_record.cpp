@@ -59,14 +59,17 @@ PathRecorder::PathRecorder(Stage const& stage, bool negative_is_wrong)
 
 void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   auto const& hit = tracer.frames_[static_cast<std::size_t>(ray.depth)].hit;
-  if (hit.crossings.empty()) return;
+  if (hit.members.empty()) return;
+  ray.step.met = true;
+  ray.step.point = hit.point + stage_.camera.location;
   auto seen = std::find_if(hit.crossings.begin(), hit.crossings.end(),
                            [](auto const& crossing) { return crossing.entering; });
-  if (seen == hit.crossings.end()) seen = hit.crossings.begin();
-  ray.step.met = true;
-  ray.step.object = stage_.surfaces[seen->primitive].object;
-  ray.step.keyword = stage_.surfaces[seen->primitive].keyword;
-  ray.step.point = hit.point + stage_.camera.location;
+  // None is left where a medium of higher priority displaces all of them.
+  auto const primitive = seen != hit.crossings.end()  ? seen->primitive
+                         : !hit.crossings.empty() ? hit.crossings.front().primitive
+                                                  : hit.members.front().primitive;
+  ray.step.object = stage_.surfaces[primitive].object;
+  ray.step.keyword = stage_.surfaces[primitive].keyword;
 }
 
 void PathRecorder::look_at_last(Tracer& tracer) {
