@@ -65,9 +65,9 @@ void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   auto seen = std::find_if(hit.crossings.begin(), hit.crossings.end(),
                            [](auto const& crossing) { return crossing.entering; });
   // None is left where a medium of higher priority displaces all of them.
-  auto const primitive = seen != hit.crossings.end()  ? seen->primitive
-                         : !hit.crossings.empty() ? hit.crossings.front().primitive
-                                                  : hit.members.front().primitive;
+  auto const primitive = seen != hit.crossings.end() ? seen->primitive
+                         : !hit.crossings.empty()    ? hit.crossings.front().primitive
+                                                     : hit.members.front().primitive;
   ray.step.object = stage_.surfaces[primitive].object;
   ray.step.keyword = stage_.surfaces[primitive].keyword;
 }
