@@ -10,25 +10,20 @@
 
 /// One solid and the surfaces that a line passes on it, by groups of events (docs/geometry.md):
 ///
-/// 1. All crossings of the whole line with the operands, sorted. Each operand's state at t =
-/// -infinity
-///    follows from its first crossing (entering: outside before), or from inside(origin) without
-///    any.
+/// 1. All crossings of the whole line with the operands, sorted. Each operand's state at
+///    t = -infinity follows from its first crossing (entering: outside before), or from
+///    inside(origin) without any.
 /// 2. What the ray departs from is applied, not reported: the starts themselves (t == 0), and
-/// crossings
-///    of other operands with |t| within error. The other roots of a primitive that the ray
-///    starts on are never part of it: they are on the side that the departure says.
+///    crossings of other operands with |t| within error. The other roots of a primitive that the
+///    ray starts on are never part of it: they are on the side that the departure says.
 /// 3. The rest falls into runs of overlapping error intervals [t - error, t + error]. A run of a
-/// single
-///    primitive is parted again: its own roots come out of one computation, so their order and
-///    their being distinct are certain (a thin sphere far away must not vanish). Any other run is
-///    one event: all its members change sides, then the boolean value is compared. Lids between
-///    coincident faces, A - A, A & A come out right, for both roots of each are in the run or none
-///    is.
+///    single primitive is parted again: its own roots come out of one computation, so their order
+///    and their being distinct are certain (a thin sphere far away must not vanish). Any other run
+///    is one event: all its members change sides, then the boolean value is compared. Lids between
+///    coincident faces, A - A, A & A come out right, for both roots of each are in the run or none.
 /// 4. Of the members whose own change explains the change (enough by itself before, or undoing it
-/// after
-///    undoes all), the surface shown is the visible one with the lowest primitive id: a property of
-///    the primitives, not of the order of operands.
+///    after undoes all), the surface shown is the visible one with the lowest primitive id: a
+///    property of the primitives, not of the order of operands.
 namespace abbe::geometry {
 
 inline constexpr double everywhere = std::numeric_limits<double>::infinity();
