@@ -15,14 +15,6 @@ namespace {
 using lane::Double4;
 constexpr std::size_t width = 4;
 
-/// Roundings: of the filter and of the shape's t 22 each at most, of the shape's error bound 26
-/// times group_margin, in terms of the bounds of the absolute normals; the rest pays for products
-/// of errors and for the speed in the denominator being off by a thousandth.
-constexpr double rounding = gamma_bound(256);
-
-double sum_of_sizes(Vec3 const& v) {
-  return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
-}
 Double4 load(std::vector<double> const& from, std::size_t i) {
   Double4 v;
   std::memcpy(&v, from.data() + i, sizeof v);
@@ -45,15 +37,8 @@ HalfSpaces::Scaled HalfSpaces::scaled(Placed const& placed, bool outside_counts)
   Vec3 const own = placed.shape().normal(Vec3(0), 0);
   Vec3 const bound = glm::transpose(placed.inverse_size()) * glm::abs(own);
   double const scale = std::max(bound.x, std::max(bound.y, bound.z));
-  Vec3 const normal = placed.source().placement.normal(own) / (outside_counts ? -scale : scale);
-  return {normal, glm::dot(normal, placed.source().placement.offset)};
-}
-
-double HalfSpaces::at_rest(Vec3 const& origin, Vec3 const& origin_error, double offset_size) {
-  return rounding * (sum_of_sizes(origin) + 2 * offset_size) + 2 * sum_of_sizes(origin_error);
-}
-double HalfSpaces::per_t(Vec3 const& direction) {
-  return rounding * sum_of_sizes(direction);
+  Vec3 const normal = placed.to_world_normal(own) / (outside_counts ? -scale : scale);
+  return {normal, glm::dot(normal, placed.offset())};
 }
 
 void HalfSpaces::add(PrimitiveId primitive, Placed const& placed, bool outside_counts) {

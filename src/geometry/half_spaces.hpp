@@ -4,6 +4,7 @@
 #include "geometry/lane.hpp"
 #include "geometry/line_query.hpp"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,10 @@ public:
   static Scaled scaled(Placed const& placed, bool outside_counts);
   /// The two parts of the bound above. @param offset_size sum of the sizes of an offset's
   /// components
-  static double at_rest(Vec3 const& origin, Vec3 const& origin_error, double offset_size);
-  static double per_t(Vec3 const& direction);
+  static double at_rest(Vec3 const& origin, Vec3 const& origin_error, double offset_size) {
+    return rounding_ * (sum_of_sizes(origin) + 2 * offset_size) + 2 * sum_of_sizes(origin_error);
+  }
+  static double per_t(Vec3 const& direction) { return rounding_ * sum_of_sizes(direction); }
   /// A plane is nearly parallel below this many times per_t.
   static constexpr double clear_factor = 1024;
   std::span<PrimitiveId const> primitives() const { return primitives_; }
@@ -64,6 +67,13 @@ public:
   int leaving_near(Common const& common, double t, double error, HalfSpaceScratch const&) const;
 
 private:
+  /// Roundings: of the filter and of the shape's t 22 each at most, of the shape's error bound 26
+  /// times group_margin, in terms of the bounds of the absolute normals; the rest pays for products
+  /// of errors and for the speed in the denominator being off by a thousandth.
+  static constexpr double rounding_ = gamma_bound(256);
+  static double sum_of_sizes(Vec3 const& v) {
+    return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
+  }
   Verdict apply_departure(Departure const& from, double steep, HalfSpaceScratch& scratch) const;
   End end(Common const& common, std::vector<double> const& ts, double t,
           HalfSpaceScratch const& scratch) const;

@@ -6,8 +6,13 @@
 
 namespace abbe::geometry {
 
-Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along_axes_(false) {
-  Transform const& at = source_.placement;
+Placed::Placed(PlacedShape const& placed)
+    : shape_(placed.shape),
+      inverse_linear_(placed.placement.inverse_linear),
+      offset_(placed.placement.offset),
+      size_(0),
+      along_axes_(false) {
+  Transform const& at = placed.placement;
   offset_rounding_ = rounding * glm::abs(at.offset) + at.offset_error;
   Mat3 const& m = at.inverse_linear;
   along_axes_ = m == Mat3(m[0][0], 0, 0, 0, m[1][1], 0, 0, 0, m[2][2]);
@@ -26,15 +31,15 @@ Placed::Placed(PlacedShape placed) : source_(std::move(placed)), size_(0), along
       along_axes_ = along_axes_ && (row == column || off == 0);
     }
   }
-  reach_ = Reach(*this);
+  bounds_ = bounds_of(placed, size_);
+  reach_ = Reach(*this, placed.placement);
 }
 
 Ray Placed::to_object(Ray const& world) const {
-  Transform const& at = source_.placement;
-  Vec3 const from_here = world.origin - at.offset;
+  Vec3 const from_here = world.origin - offset_;
   Ray ray;
   if (along_axes_) { // the same bits with a third of the work
-    Vec3 const scale(at.inverse_linear[0][0], at.inverse_linear[1][1], at.inverse_linear[2][2]);
+    Vec3 const scale(inverse_linear_[0][0], inverse_linear_[1][1], inverse_linear_[2][2]);
     Vec3 const size(size_[0][0], size_[1][1], size_[2][2]);
     ray.origin = scale * from_here;
     ray.direction = scale * world.direction;
@@ -43,8 +48,8 @@ Ray Placed::to_object(Ray const& world) const {
     ray.direction_rounding = size * (rounding * glm::abs(world.direction));
     return ray;
   }
-  ray.origin = at.inverse_linear * from_here;
-  ray.direction = at.inverse_linear * world.direction;
+  ray.origin = inverse_linear_ * from_here;
+  ray.direction = inverse_linear_ * world.direction;
   ray.origin_error = size_ * world.origin_error;
   ray.origin_rounding = size_ * (rounding * glm::abs(from_here) + offset_rounding_);
   ray.direction_rounding = size_ * (rounding * glm::abs(world.direction));
@@ -52,25 +57,25 @@ Ray Placed::to_object(Ray const& world) const {
 }
 
 Vec3 Placed::to_object(Vec3 const& world_point) const {
-  return source_.placement.inverse_linear * (world_point - source_.placement.offset);
+  return inverse_linear_ * (world_point - offset_);
 }
 
 Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const {
   Vec3 const point = to_object(world_point);
   Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
   // The direction only: scaled to the order of 1 first, so that no square overflows.
-  Mat3 const& back = source_.placement.inverse_linear;
+  Mat3 const& back = inverse_linear_;
   Vec3 const world =
-      along_axes_ ? n * Vec3(back[0][0], back[1][1], back[2][2]) : source_.placement.normal(n);
+      along_axes_ ? n * Vec3(back[0][0], back[1][1], back[2][2]) : to_world_normal(n);
   Vec3 const size = glm::abs(world);
   double const largest = std::max(size.x, std::max(size.y, size.z));
   return glm::normalize(world / largest);
 }
 
-Bounds Placed::bounds() const {
-  Bounds const own = shape().bounds();
+Bounds Placed::bounds_of(PlacedShape const& placed, Mat3 const& inverse_size) {
+  Bounds const own = placed.shape->bounds();
   if (own.infinite || own.empty()) return own;
-  Transform const& at = source_.placement;
+  Transform const& at = placed.placement;
   Mat3 const size(glm::abs(at.linear[0]), glm::abs(at.linear[1]), glm::abs(at.linear[2]));
   Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
   Vec3 const centre = at.point(middle);
@@ -78,7 +83,7 @@ Bounds Placed::bounds() const {
   Vec3 const far = size * glm::abs(middle) + reach;
   // What to_object is off by, taken back to the world.
   Vec3 const off = at.offset_error + at.linear_error * (glm::abs(middle) + half)
-                   + size * (at.inverse_linear_error * far + size_ * at.offset_error);
+                   + size * (at.inverse_linear_error * far + inverse_size * at.offset_error);
   Vec3 const wide = reach + gamma_bound(64) * (far + glm::abs(at.offset)) + off;
   return {centre - wide, centre + wide, false};
 }

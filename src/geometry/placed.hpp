@@ -15,10 +15,12 @@ namespace abbe::geometry {
 /// error relative to its neighbours. What the placement's own bounds say comes on top.
 class Placed {
 public:
-  explicit Placed(PlacedShape placed);
+  explicit Placed(PlacedShape const& placed);
 
-  PlacedShape const& source() const { return source_; }
-  Shape const& shape() const { return *source_.shape; }
+  Shape const& shape() const { return *shape_; }
+  Vec3 const& offset() const { return offset_; }
+  /// Of a normal of object space in the world: the direction, not of unit length.
+  Vec3 to_world_normal(Vec3 const& n) const { return glm::transpose(inverse_linear_) * n; }
   Ray to_object(Ray const& world) const;
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
@@ -30,13 +32,18 @@ public:
   static constexpr double rounding = gamma_bound(16);
   Reach const& reach() const { return reach_; }
   /// Bounds in world space, wide enough for the errors of to_object.
-  Bounds bounds() const;
+  Bounds const& bounds() const { return bounds_; }
 
 private:
-  PlacedShape source_;
+  static Bounds bounds_of(PlacedShape const& placed, Mat3 const& size);
+
+  ShapePtr shape_;
+  Mat3 inverse_linear_;
+  Vec3 offset_;
   Mat3 size_;
   Vec3 offset_rounding_;
   bool along_axes_; ///< inverse_linear is diagonal
+  Bounds bounds_;
   Reach reach_;
 };
 

@@ -47,18 +47,17 @@ double lengthening(Mat3 const& m) {
 
 } // namespace
 
-Reach::Reach(Placed const& placed) {
+Reach::Reach(Placed const& placed, Transform const& placement) {
   if (is_plane(placed.shape())) {
     set_plane(placed);
   } else if (placed.shape().ball_radius() < std::numeric_limits<double>::infinity()) {
-    set_ball(placed);
+    set_ball(placed, placement);
   }
 }
 
-void Reach::set_ball(Placed const& placed) {
+void Reach::set_ball(Placed const& placed, Transform const& at) {
   Bounds const own = placed.shape().bounds();
   Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
-  Transform const& at = placed.source().placement;
   Vec3 const centre = at.point(middle);
   double const radius = std::min(half_diagonal(at.linear, half),
                                  lengthening(at.linear) * placed.shape().ball_radius());

@@ -19,7 +19,7 @@ class Reach {
 public:
   /// Says "may be met" to everything.
   Reach() = default;
-  explicit Reach(Placed const& placed);
+  Reach(Placed const& placed, Transform const& placement);
 
   /// No crossing with t > 0 beyond what is at the start, and up to `until`. The primitive must not
   /// be one that the ray starts on.
@@ -32,7 +32,7 @@ private:
   enum class Kind : std::uint8_t { Unknown, Ball, Plane };
   bool misses_ball(Ray const& ray, double until) const;
   bool misses_plane(Ray const& ray, double until) const;
-  void set_ball(Placed const& placed);
+  void set_ball(Placed const& placed, Transform const& at);
   void set_plane(Placed const& placed);
 
   /// Share of radius and distance by which balls are wider than they are: at least six times what

@@ -5,6 +5,7 @@
 #include "geometry/world.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace abbe::geometry {
@@ -62,5 +63,15 @@ public:
   };
   std::vector<Entered> entered;
 };
+
+/// By t; few, and nearly in order.
+template <class Item>
+void sort_few(std::vector<Item>& items) {
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    for (std::size_t j = i; j > 0 && items[j].t < items[j - 1].t; --j) {
+      std::swap(items[j], items[j - 1]);
+    }
+  }
+}
 
 } // namespace abbe::geometry

@@ -11,6 +11,8 @@ namespace {
 
 /// Operands from which on a hierarchy pays.
 constexpr std::size_t many_operands = 8;
+/// Events up to which looking through them costs less than changing states to and fro.
+constexpr std::size_t few_events = 16;
 
 Bounds all_space() {
   Bounds bounds;
@@ -221,6 +223,16 @@ void TracedSolid::sort_events(Query const& query) const {
     if (a.operand != b.operand) return a.operand < b.operand;
     return a.face < b.face;
   });
+  if (events.size() <= few_events) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      bool first = events[i].toggles;
+      for (std::size_t j = 0; first && j < i; ++j) {
+        first = events[j].operand != events[i].operand || !events[j].toggles;
+      }
+      if (first) tree_->program.set(*query.state, events[i].operand, !events[i].entering);
+    }
+    return;
+  }
   // The last one written is that of the first crossing.
   for (std::size_t i = events.size(); i-- > 0;) {
     if (events[i].toggles) tree_->program.set(*query.state, events[i].operand, !events[i].entering);

@@ -115,16 +115,6 @@ private:
 /// and a clipped solid in the first child.
 Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives);
 
-/// By t; few, and nearly in order.
-template <class Item>
-void sort_few(std::vector<Item>& items) {
-  for (std::size_t i = 1; i < items.size(); ++i) {
-    for (std::size_t j = i; j > 0 && items[j].t < items[j - 1].t; --j) {
-      std::swap(items[j], items[j - 1]);
-    }
-  }
-}
-
 template <class Take>
 bool TracedSolid::passages(Query const& query, bool all, Take&& take) const {
   query.scratch.events.clear();

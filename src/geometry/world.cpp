@@ -108,7 +108,8 @@ World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, dou
     : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
   impl.primitives.reserve(primitives.size());
-  for (PlacedShape& placed : primitives) impl.primitives.emplace_back(std::move(placed));
+  for (PlacedShape const& placed : primitives) impl.primitives.emplace_back(placed);
+  primitives = {}; // a million of them are 400 MB
   impl.solids.reserve(solids.size());
   for (SolidId id = 0; id < solids.size(); ++id) {
     impl.solids.emplace_back(solids[id], impl.primitives, id);
@@ -340,8 +341,13 @@ bool World::inside(PrimitiveId id, Vec3 const& point) const {
 Bounds World::bounds(SolidId id) const {
   return impl_->solids[id].bounds();
 }
-PlacedShape const& World::primitive(PrimitiveId id) const {
-  return impl_->primitives[id].source();
+std::optional<FaceBlend> World::face_blend(PrimitiveId id, std::uint32_t face,
+                                           Vec3 const& point) const {
+  Placed const& placed = impl_->primitives[id];
+  return placed.shape().face_blend(placed.to_object(point), face);
+}
+Shape const& World::shape(PrimitiveId id) const {
+  return impl_->primitives[id].shape();
 }
 
 } // namespace abbe::geometry

@@ -108,7 +108,9 @@ public:
   /// Is the point inside the primitive?
   bool inside(PrimitiveId, Vec3 const& point) const;
   Bounds bounds(SolidId) const;
-  PlacedShape const& primitive(PrimitiveId) const;
+  /// Of a face whose corners have different textures: these, and their shares at the point.
+  std::optional<FaceBlend> face_blend(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  Shape const& shape(PrimitiveId) const;
 
 private:
   struct Impl;

@@ -71,12 +71,11 @@ void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurfac
   auto const of_face = [&](int number) -> std::vector<int> const& {
     return number < 0 ? surface.layers : surface.face_layers[static_cast<std::size_t>(number)];
   };
-  geometry::PlacedShape const& placed = stage_.world->primitive(crossing.primitive);
-  auto const blend =
-      placed.shape->face_blend(placed.placement.inverse().point(frame_.hit.point), crossing.face);
+  geometry::Shape const& shape = stage_.world->shape(crossing.primitive);
+  auto const blend = stage_.world->face_blend(crossing.primitive, crossing.face, frame_.hit.point);
   if (!blend)
-    return shade_layers(of_face(placed.shape->face_texture(crossing.face)),
-                        surface.double_illuminate, carries, out);
+    return shade_layers(of_face(shape.face_texture(crossing.face)), surface.double_illuminate,
+                        carries, out);
 
   // Corners of different textures: each shades its share of the light.
   auto const n = static_cast<std::size_t>(beam_.lanes);

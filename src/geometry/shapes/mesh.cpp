@@ -111,7 +111,7 @@ void Mesh::crossings_ahead(Ray const& ray, Start const* start, double until, Cro
     out.push_back({hit.t, hit.error, hit.slack, face, hit.against_normal, false, true});
     // At a departure from elsewhere, what is at the start does not count; and room for others of
     // the same group.
-    if (!at_start) to = std::min(to, hit.t + 8 * hit.error - line.t + off);
+    if (!at_start) to = std::min(to, hit.t + 16 * hit.error - line.t + off);
   });
 }
 
