@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-/// check, dump and explain: what abbe makes of a scene, without a picture.
+/// check and dump: what abbe makes of a scene, without a picture.
 namespace abbe::cli {
 namespace {
 
@@ -74,19 +74,6 @@ int run_dump(int argc, char** argv) {
     fmt::print("{}", lang::dump_scene(evaluated->scene));
     return 0;
   }
-  auto const made = plan_scene(*evaluated, arguments, status);
-  if (made) fmt::print("{}", plan::describe(*made));
-  return status;
-}
-
-int run_explain(int argc, char** argv) {
-  SceneArguments arguments;
-  CLI::App app("Which effects a scene calls for, why, and where.", "abbe explain");
-  arguments.add_to(app, true);
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
-  int status = 0;
-  auto const evaluated = load_scene(arguments, status);
-  if (!evaluated) return status;
   auto const made = plan_scene(*evaluated, arguments, status);
   if (made) fmt::print("{}", plan::describe(*made));
   return status;

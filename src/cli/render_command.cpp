@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bad_sample_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/identity.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_arguments.hpp"
-#include "image/io.hpp"
+#include "image/writer.hpp"
+#include "render/checkpoint.hpp"
 #include "render/render.hpp"
 
 #include <charconv>
@@ -22,6 +24,7 @@ struct Arguments {
   std::string gamut = "standard";
   double exposure_ev = 0;
   bool half = false;
+  bool checkpoint = false, no_checkpoint = false, resume = false;
 };
 
 /// "off" or the depth.
@@ -99,6 +102,13 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--check-finite", options.check_finite,
                "end at the first sample that is not a number, infinite or negative, and say which "
                "path made it");
+  auto* resume = app.add_flag("--resume", arguments.resume,
+                              "go on from OUT.abbe-checkpoint, which an interrupted render left");
+  auto* always = app.add_flag("--checkpoint", arguments.checkpoint,
+                              "keep finished tiles from the first on (default: after 5 s)");
+  app.add_flag("--no-checkpoint", arguments.no_checkpoint, "keep none")
+      ->excludes(resume)
+      ->excludes(always);
 }
 
 image::WriteOptions write_options(Arguments const& arguments) {
@@ -123,15 +133,100 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
   return 2;
 }
 
-void describe(render::RenderResult& result, Arguments const& arguments, plan::Plan const& plan) {
-  result.image.metadata = {
-      {"Software", fmt::format("abbe {}", ABBE_VERSION)},
-      {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
-      {"Plan", plan::describe(plan)},
-      {"Seed", fmt::format("{}", arguments.options.seed)},
-      {"AntiAliasing", arguments.anti_aliasing},
-      {"MissingLight", fmt::format("at most {:.3g}, in no sample more than {:.3g}",
-                                   result.missing_mean, result.missing_most)}};
+image::ImageHead head_of(Arguments const& arguments, plan::Plan const& plan) {
+  image::ImageHead head;
+  auto const& options = arguments.options;
+  auto const region = options.region.value_or(render::Region{0, 0, options.width, options.height});
+  head.width = region.x1 - region.x0;
+  head.height = region.y1 - region.y0;
+  if (options.spectral_output) {
+    auto const centers = plan.bands->centers();
+    auto const edges = plan.bands->edges();
+    head.band_centres_nm.assign(centers.begin(), centers.end());
+    head.band_edges_nm.assign(edges.begin(), edges.end());
+  }
+  head.metadata = {{"Software", fmt::format("abbe {}", ABBE_VERSION)},
+                   {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
+                   {"Plan", plan::describe(plan)},
+                   {"Seed", fmt::format("{}", options.seed)},
+                   {"AntiAliasing", arguments.anti_aliasing}};
+  head.late_keys = {"MissingLight"};
+  return head;
+}
+
+/// The file, opened when the first rows are done: a short render leaves nothing beside it.
+class Output {
+public:
+  Output(Arguments const& arguments, plan::Plan const& plan) : arguments_(arguments), plan_(plan) {}
+
+  bool write(image::Image const& rows) {
+    if (!writer_) {
+      auto opened = image::open_writer(head_of(arguments_, plan_), arguments_.output,
+                                       write_options(arguments_));
+      if (!opened) return failed(opened.error());
+      writer_ = std::move(*opened);
+    }
+    auto const written = writer_->write(rows);
+    return written ? true : failed(written.error());
+  }
+
+  bool finish(render::RenderResult const& result) {
+    if (error_) return false;
+    auto const done = writer_->finish({fmt::format("at most {:.3g}, in no sample more than {:.3g}",
+                                                   result.missing_mean, result.missing_most)});
+    return done ? true : failed(done.error());
+  }
+
+  std::optional<Error> const& error() const { return error_; }
+
+private:
+  bool failed(Error error) {
+    error_ = std::move(error);
+    return false;
+  }
+  Arguments const& arguments_;
+  plan::Plan const& plan_;
+  std::unique_ptr<image::ImageWriter> writer_;
+  std::optional<Error> error_;
+};
+
+/// How long a render must have run before it leaves a checkpoint: what is lost is no more.
+constexpr double checkpoint_after_seconds = 5;
+
+std::unique_ptr<render::Checkpoint> make_checkpoint(Arguments const& arguments,
+                                                    lang::Evaluated const& evaluated) {
+  if (arguments.no_checkpoint) return nullptr;
+  std::string words;
+  for (auto const& declaration : arguments.scene.declarations) words += declaration + '\n';
+  words += fmt::format("{} {} {}", arguments.scene.bands.value_or(0), arguments.scene.dispersion,
+                       arguments.scene.spectral);
+  return std::make_unique<render::Checkpoint>(arguments.output + ".abbe-checkpoint",
+                                              arguments.checkpoint ? 0 : checkpoint_after_seconds,
+                                              [&evaluated, &options = arguments.options, words] {
+                                                return picture_identity(evaluated, options, words);
+                                              });
+}
+
+/// The exit status when the checkpoint cannot be gone on from, else 0.
+int resume(Arguments const& arguments, render::Checkpoint& checkpoint) {
+  auto const tiles = checkpoint.resume();
+  if (!tiles) return fail(tiles.error(), tiles.error().code == "E0520" ? 1 : 3);
+  if (arguments.scene.quiet) return 0;
+  if (*tiles == 0)
+    fmt::print(stderr, "abbe: nothing to resume in '{}': from the beginning\n",
+               checkpoint.path().string());
+  else
+    fmt::print(stderr, "abbe: {} tiles resumed from '{}'\n", *tiles, checkpoint.path().string());
+  return 0;
+}
+
+int say_interrupted(Arguments const& arguments, render::Checkpoint const* checkpoint) {
+  fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
+  if (checkpoint && checkpoint->written())
+    fmt::print(stderr,
+               "abbe: what is done is in '{}': the same command with --resume goes on from there\n",
+               checkpoint->path().string());
+  return 130;
 }
 
 int render_scene(Arguments& arguments) {
@@ -155,26 +250,34 @@ int render_scene(Arguments& arguments) {
   options.height = arguments.scene.height;
   options.spectral_output = arguments.scene.spectral;
   options.stop = &interrupted();
+  auto const checkpoint = make_checkpoint(arguments, *evaluated);
+  if (arguments.resume)
+    if (int const failed = resume(arguments, *checkpoint)) return failed;
+  options.checkpoint = checkpoint.get();
   ProgressBar bar(arguments.scene.quiet);
   options.on_progress = [&bar](render::Progress const& progress) { bar.show(progress); };
-  auto result = render::render(evaluated->scene, *plan, options);
+  Output output(arguments, *plan);
+  options.on_rows = [&output](image::Image const& rows) { return output.write(rows); };
+  auto const result = render::render(evaluated->scene, *plan, options);
   bar.finish();
-  if (result.interrupted) {
-    fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
-    return 130;
-  }
+  if (result.interrupted) return say_interrupted(arguments, checkpoint.get());
   if (result.bad_sample) {
     fmt::print(stderr, "abbe render: {}", bad_sample_text(*result.bad_sample));
+    if (checkpoint) checkpoint->remove();
     return 1;
   }
-  describe(result, arguments, *plan);
-  auto const written = image::write(result.image, arguments.output, write_options(arguments));
-  if (!written) return fail(written.error(), 3);
+  if (!output.finish(result)) return fail(*output.error(), 3);
+  if (checkpoint) {
+    if (!checkpoint->problem().empty())
+      fmt::print(stderr, "abbe: no checkpoint could be kept: {}\n", checkpoint->problem());
+    checkpoint->remove();
+  }
   if (!arguments.scene.quiet) {
     double const seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output, result.image.width,
-               result.image.height,
+    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
+               options.region ? options.region->x1 - options.region->x0 : options.width,
+               options.region ? options.region->y1 - options.region->y0 : options.height,
                plan->bands ? fmt::format("{} bands", plan->bands->count()) : std::string("r g b"),
                seconds, result.counts.total());
   }

@@ -114,8 +114,7 @@ std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& 
   return evaluated;
 }
 
-std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
-                                     SceneArguments const& arguments, int& status) {
+plan::Overrides overrides_of(SceneArguments const& arguments) {
   plan::Overrides overrides;
   overrides.bands = arguments.bands;
   overrides.spectral = arguments.spectral;
@@ -128,11 +127,20 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
     mode.faithful = arguments.dispersion == "faithful";
     overrides.dispersion = mode;
   }
-  auto plan = plan::make_plan(evaluated.scene, overrides);
+  return overrides;
+}
+
+std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
+                                     SceneArguments const& arguments, int& status) {
+  auto plan = plan::make_plan(evaluated.scene, overrides_of(arguments));
   if (!plan) {
     Diagnostic diagnostic;
     diagnostic.code = plan.error().code;
-    diagnostic.span = evaluated.scene.settings.spectral.span;
+    auto const& effects = evaluated.scene.settings.effects;
+    diagnostic.span = diagnostic.code == "E0431" ? effects.strict_span
+                      : diagnostic.code == "E0430" && !effects.overrides.empty()
+                          ? effects.overrides.front().span
+                          : evaluated.scene.settings.spectral.span;
     diagnostic.message = plan.error().message;
     fmt::print(stderr, "{}\n", format(diagnostic));
     status = 1;

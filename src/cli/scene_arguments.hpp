@@ -35,6 +35,9 @@ int parse_arguments(CLI::App& app, int argc, char** argv);
 /// @return the scene, or nullopt and the exit status in `status`
 std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status);
 
+/// What the command line overrides.
+plan::Overrides overrides_of(SceneArguments const& arguments);
+
 /// The plan of the scene under the command line's overrides; prints what is wrong.
 std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
                                      SceneArguments const& arguments, int& status);

@@ -3,6 +3,7 @@
 
 #include "image/atomic_file.hpp"
 #include "image/input_file.hpp"
+#include "image/writer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,18 +40,59 @@ std::optional<Format> format_by_content(std::string_view head) {
 
 } // namespace
 
-Status write(Image const& image, std::filesystem::path const& path, WriteOptions const& options) {
+ImageHead head_of(Image const& image) {
+  return {image.width,
+          image.height,
+          !image.alpha.empty(),
+          image.band_centres_nm,
+          image.band_edges_nm,
+          image.metadata,
+          {}};
+}
+
+Result<std::unique_ptr<ImageWriter>> open_writer(ImageHead head, std::filesystem::path const& path,
+                                                 WriteOptions const& options) {
   Result<Format> const format = format_by_extension(path);
   if (!format) return format.error();
   switch (*format) {
   case Format::Exr:
-    return write_exr(image, path, options.exr);
+    return open_exr(std::move(head), path, options.exr);
   case Format::Png:
-    return write_png(image, path, options.png);
+    return open_png(std::move(head), path, options.png);
   case Format::Tiff:
-    return write_tiff_logluv(image, path);
+    return open_tiff_logluv(std::move(head), path);
   }
   ABBE_ASSERT(false);
+}
+
+namespace {
+
+Status write_all(Image const& image, Result<std::unique_ptr<ImageWriter>> writer) {
+  if (!writer) return writer.error();
+  if (Status const written = (*writer)->write(image); !written) return written;
+  return (*writer)->finish({});
+}
+
+} // namespace
+
+Status write_exr(Image const& image, std::filesystem::path const& path, ExrOptions const& options) {
+  if (Status const valid = validate(image); !valid) return valid;
+  return write_all(image, open_exr(head_of(image), path, options));
+}
+
+Status write_png(Image const& image, std::filesystem::path const& path, PngOptions const& options) {
+  if (Status const valid = validate(image); !valid) return valid;
+  return write_all(image, open_png(head_of(image), path, options));
+}
+
+Status write_tiff_logluv(Image const& image, std::filesystem::path const& path) {
+  if (Status const valid = validate(image); !valid) return valid;
+  return write_all(image, open_tiff_logluv(head_of(image), path));
+}
+
+Status write(Image const& image, std::filesystem::path const& path, WriteOptions const& options) {
+  if (Status const valid = validate(image); !valid) return valid;
+  return write_all(image, open_writer(head_of(image), path, options));
 }
 
 Status check_destination(std::filesystem::path const& path) {

@@ -3,6 +3,7 @@
 #include "image/colour.hpp"
 #include "image/io.hpp"
 #include "image/png_guard.hpp"
+#include "image/writer.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -12,28 +13,6 @@
 
 namespace abbe::image {
 namespace {
-
-/// A libpng writer and what its callbacks need.
-struct Writer {
-  PngErrors errors;
-  int os_error = 0;
-  std::FILE* stream = nullptr;
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-
-  Writer() = default;
-  Writer(Writer const&) = delete;
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-
-  static void write(png_structp png, png_bytep bytes, png_size_t count) {
-    auto* self = static_cast<Writer*>(png_get_io_ptr(png));
-    errno = 0;
-    if (std::fwrite(bytes, 1, count, self->stream) == count) return;
-    self->os_error = errno ? errno : EIO;
-    png_error(png, "write failed");
-  }
-  static void flush(png_structp) {}
-};
 
 bool is_ascii(std::string const& text) {
   return std::all_of(text.begin(), text.end(),
@@ -46,17 +25,13 @@ bool is_keyword(std::string const& key) {
          && key.find("  ") == std::string::npos;
 }
 
-std::vector<png_text> texts_of(Image const& image) {
-  std::vector<png_text> texts;
-  for (auto const& [key, value] : image.metadata) {
-    png_text text{};
-    text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-    // libpng only reads them.
-    text.key = const_cast<char*>(key.c_str());
-    text.text = const_cast<char*>(value.c_str());
-    texts.push_back(text);
-  }
-  return texts;
+/// libpng only reads key and value, which must live as long as the result.
+png_text text_of(std::string const& key, std::string const& value) {
+  png_text text{};
+  text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+  text.key = const_cast<char*>(key.c_str());
+  text.text = const_cast<char*>(value.c_str());
+  return text;
 }
 
 /// The rows of the file, one at a time: RGB or RGBA, 8 or 16 bits, big-endian.
@@ -100,53 +75,102 @@ private:
   std::vector<png_byte> row_;
 };
 
-void encode(Writer& writer, Image const& display, int bits, Rows& rows,
-            std::vector<png_text> const& texts) {
-  png_structp const png = writer.png;
-  // The defaults admit a million pixels a side.
-  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_write_fn(png, &writer, Writer::write, Writer::flush);
-  png_set_IHDR(png, writer.info, static_cast<png_uint_32>(display.width),
-               static_cast<png_uint_32>(display.height), bits,
-               display.alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB_gAMA_and_cHRM(png, writer.info, PNG_sRGB_INTENT_RELATIVE);
-  png_set_text(png, writer.info, texts.data(), static_cast<int>(texts.size()));
-  png_write_info(png, writer.info);
-  for (int y = 0; y < display.height; ++y) png_write_row(png, rows.row(y));
-  png_write_end(png, writer.info);
-}
+class PngWriter final : public ImageWriter {
+public:
+  PngWriter(ImageHead head, PngOptions const& options, std::filesystem::path path, AtomicFile file)
+      : head_(std::move(head)), options_(options), path_(std::move(path)), file_(std::move(file)) {}
+  ~PngWriter() override {
+    png_destroy_info_struct(png_, &end_);
+    png_destroy_write_struct(&png_, &info_);
+  }
+
+  Status begin() {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &errors_, PngErrors::on_error,
+                                   PngErrors::on_warning);
+    if (png_) info_ = png_create_info_struct(png_);
+    if (info_) end_ = png_create_info_struct(png_);
+    if (!end_) return file_.error(ENOMEM);
+    std::vector<png_text> texts;
+    for (auto const& [key, value] : head_.metadata) texts.push_back(text_of(key, value));
+    return guarded([&] {
+      // The defaults admit a million pixels a side.
+      png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+      png_set_write_fn(png_, this, put, [](png_structp) {});
+      png_set_IHDR(png_, info_, static_cast<png_uint_32>(head_.width),
+                   static_cast<png_uint_32>(head_.height), options_.bits,
+                   head_.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                   PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+      png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
+      png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
+      png_write_info(png_, info_);
+    });
+  }
+
+  Status write(Image const& part) override {
+    Image const display = tone_map(part, options_.tone);
+    Rows rows(display, options_.bits);
+    return guarded([&] {
+      for (int y = 0; y < display.height; ++y) png_write_row(png_, rows.row(y));
+    });
+  }
+
+  Status finish(std::vector<std::string> const& late) override {
+    ABBE_ASSERT(late.size() == head_.late_keys.size());
+    std::vector<png_text> texts;
+    for (std::size_t i = 0; i < late.size(); ++i)
+      texts.push_back(text_of(head_.late_keys[i], late[i]));
+    Status const done = guarded([&] {
+      if (!texts.empty()) png_set_text(png_, end_, texts.data(), static_cast<int>(texts.size()));
+      png_write_end(png_, texts.empty() ? nullptr : end_);
+    });
+    return done ? file_.commit() : done;
+  }
+
+private:
+  static void put(png_structp png, png_bytep bytes, png_size_t count) {
+    auto* self = static_cast<PngWriter*>(png_get_io_ptr(png));
+    errno = 0;
+    if (std::fwrite(bytes, 1, count, self->file_.stream()) == count) return;
+    self->os_error_ = errno ? errno : EIO;
+    png_error(png, "write failed");
+  }
+  template <class Work>
+  Status guarded(Work const& work) {
+    if (png_guarded(png_, work)) return std::monostate{};
+    if (os_error_) return file_.error(os_error_);
+    return Error{"E0516", fmt::format("cannot write '{}': {}", path_.string(), errors_.message)};
+  }
+
+  ImageHead head_;
+  PngOptions options_;
+  std::filesystem::path path_;
+  AtomicFile file_;
+  PngErrors errors_;
+  int os_error_ = 0;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr, end_ = nullptr;
+};
 
 } // namespace
 
-Status write_png(Image const& image, std::filesystem::path const& path, PngOptions const& options) {
+Result<std::unique_ptr<ImageWriter>> open_png(ImageHead head, std::filesystem::path const& path,
+                                              PngOptions const& options) {
   auto const refuse = [&](std::string const& why) {
     return Error{"E0516", fmt::format("cannot write '{}': {}", path.string(), why)};
   };
-  if (Status const valid = validate(image); !valid) return valid;
   if (options.bits != 8 && options.bits != 16)
     return refuse(fmt::format("PNG has 8 or 16 bits per channel here, not {}", options.bits));
-  for (auto const& [key, value] : image.metadata)
+  std::vector<std::string> keys = head.late_keys;
+  for (auto const& entry : head.metadata) keys.push_back(entry.first);
+  for (auto const& key : keys)
     if (!is_keyword(key))
       return refuse(
           fmt::format("PNG takes keys of 1 to 79 printable ASCII characters, not '{}'", key));
-  Image const display = tone_map(image, options.tone);
-  Rows rows(display, options.bits);
-  std::vector<png_text> const texts = texts_of(display);
-
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
-  Writer writer;
-  writer.stream = file->stream();
-  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.errors, PngErrors::on_error,
-                                       PngErrors::on_warning);
-  if (writer.png) writer.info = png_create_info_struct(writer.png);
-  if (!writer.info) return file->error(ENOMEM);
-  bool const done =
-      png_guarded(writer.png, [&] { encode(writer, display, options.bits, rows, texts); });
-  if (!done && writer.os_error) return file->error(writer.os_error);
-  if (!done) return refuse(writer.errors.message);
-  return file->commit();
+  auto writer = std::make_unique<PngWriter>(std::move(head), options, path, std::move(*file));
+  if (Status const begun = writer->begin(); !begun) return begun.error();
+  return std::unique_ptr<ImageWriter>(std::move(writer));
 }
 
 } // namespace abbe::image

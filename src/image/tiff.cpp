@@ -2,7 +2,7 @@
 #include "image/atomic_file.hpp"
 #include "image/colour.hpp"
 #include "image/input_file.hpp"
-#include "image/io.hpp"
+#include "image/writer.hpp"
 
 #include <cerrno>
 #include <cstdarg>
@@ -52,42 +52,66 @@ Tiff open_tiff(std::FILE* stream, std::filesystem::path const& path, char const*
   return tiff;
 }
 
-std::string description_of(Image const& image) {
-  std::string text;
-  for (auto const& [key, value] : image.metadata) text += key + ": " + value + "\n";
-  return text;
-}
-
-bool write_tags(TIFF* tiff, Image const& image) {
-  auto const width = static_cast<std::uint32_t>(image.width);
-  bool ok = TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width) != 0;
-  ok = ok && TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height));
-  ok = ok && TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_LOGLUV);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_SGILOG);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGENCODE, SGILOGENCODE_NODITHER);
-  ok = ok && TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
-  if (!image.metadata.empty())
-    ok = ok && TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description_of(image).c_str());
-  return ok;
-}
-
-bool write_rows(TIFF* tiff, Image const& image) {
-  auto const width = static_cast<std::size_t>(image.width);
-  std::vector<float> row(3 * width);
-  for (int y = 0; y < image.height; ++y) {
-    for (std::size_t x = 0; x < width; ++x) {
-      Vec3 xyz = linear_srgb_to_xyz(pixel(image, static_cast<std::size_t>(y) * width + x));
-      if (!(xyz.y > 0)) xyz = Vec3(0);
-      for (int c = 0; c < 3; ++c) row[3 * x + c] = static_cast<float>(xyz[c]);
-    }
-    if (TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(y)) < 0) return false;
+class TiffWriter final : public ImageWriter {
+public:
+  TiffWriter(ImageHead head, std::filesystem::path const& path, AtomicFile file)
+      : head_(std::move(head)), file_(std::move(file)) {
+    tiff_ = open_tiff(file_.stream(), path, "w", errors_);
   }
-  return TIFFFlush(tiff) != 0;
-}
+
+  Status begin() { return tiff_ && set_tags() ? Status(std::monostate{}) : failed(); }
+
+  Status write(Image const& rows) override {
+    auto const width = static_cast<std::size_t>(rows.width);
+    std::vector<float> row(3 * width);
+    for (int y = 0; y < rows.height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) {
+        Vec3 xyz = linear_srgb_to_xyz(pixel(rows, static_cast<std::size_t>(y) * width + x));
+        if (!(xyz.y > 0)) xyz = Vec3(0);
+        for (int c = 0; c < 3; ++c) row[3 * x + c] = static_cast<float>(xyz[c]);
+      }
+      if (TIFFWriteScanline(tiff_.get(), row.data(), next_++) < 0) return failed();
+    }
+    return std::monostate{};
+  }
+
+  Status finish(std::vector<std::string> const& late) override {
+    ABBE_ASSERT(late.size() == head_.late_keys.size());
+    std::string text;
+    for (auto const& [key, value] : head_.metadata) text += key + ": " + value + "\n";
+    for (std::size_t i = 0; i < late.size(); ++i)
+      text += head_.late_keys[i] + ": " + late[i] + "\n";
+    if (!text.empty() && !TIFFSetField(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str()))
+      return failed();
+    if (!TIFFFlush(tiff_.get())) return failed();
+    tiff_.reset(); // writes too, and can fail
+    if (!errors_.message.empty()) return failed();
+    return file_.commit();
+  }
+
+private:
+  Error failed() const { return file_.error(errors_.os_error ? errors_.os_error : EIO); }
+
+  bool set_tags() {
+    TIFF* const tiff = tiff_.get();
+    bool ok = TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(head_.width)) != 0;
+    ok = ok && TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(head_.height));
+    ok = ok && TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_LOGLUV);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_SGILOG);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
+    ok = ok && TIFFSetField(tiff, TIFFTAG_SGILOGENCODE, SGILOGENCODE_NODITHER);
+    return ok && TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+  }
+
+  ImageHead head_;
+  AtomicFile file_;
+  TiffErrors errors_;
+  Tiff tiff_;
+  std::uint32_t next_ = 0; ///< row
+};
 
 void read_description(TIFF* tiff, Image& image) {
   char const* text = nullptr;
@@ -124,23 +148,17 @@ Status check_tiff(TIFF* tiff, std::filesystem::path const& path, std::uint64_t f
 
 } // namespace
 
-Status write_tiff_logluv(Image const& image, std::filesystem::path const& path) {
-  if (Status const valid = validate(image); !valid) return valid;
-  if (!image.alpha.empty())
+Result<std::unique_ptr<ImageWriter>> open_tiff_logluv(ImageHead head,
+                                                      std::filesystem::path const& path) {
+  if (head.alpha)
     return Error{"E0516", fmt::format("cannot write '{}': LogLuv TIFF has no transparency; write "
                                       ".exr or .png, or render without alpha",
                                       path.string())};
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
-  TiffErrors errors;
-  {
-    Tiff const tiff = open_tiff(file->stream(), path, "w", errors);
-    if (!tiff || !write_tags(tiff.get(), image) || !write_rows(tiff.get(), image))
-      return file->error(errors.os_error ? errors.os_error : EIO);
-  }
-  // Closing writes too, and can fail.
-  if (!errors.message.empty()) return file->error(errors.os_error ? errors.os_error : EIO);
-  return file->commit();
+  auto writer = std::make_unique<TiffWriter>(std::move(head), path, std::move(*file));
+  if (Status const begun = writer->begin(); !begun) return begun.error();
+  return std::unique_ptr<ImageWriter>(std::move(writer));
 }
 
 Result<Image> read_tiff(std::filesystem::path const& path) {

@@ -93,6 +93,10 @@ Value settings_value(Reader& in, std::string_view) {
   read_global_settings(in, state_of(in).scene.settings);
   return {};
 }
+Value effects_value(Reader& in, std::string_view) {
+  read_effects(in, state_of(in).scene.settings.effects);
+  return {};
+}
 Value background_value(Reader& in, std::string_view) {
   state_of(in).scene.background = read_colour(in, "the background");
   while (!in.at_end()) reject(in, "the end of background");
@@ -144,6 +148,7 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"colour_map", color_map_value, nullptr},
     {"composite", object_value, place_object_value},
     {"difference", object_value, place_object_value},
+    {"effects", effects_value, place_nothing},
     {"finish", finish_value, nullptr},
     {"glass", glass_value, nullptr},
     {"global_settings", settings_value, place_nothing},
@@ -225,6 +230,13 @@ void read_statement(Reader& in) {
   if (in.accept("glass_catalog")) return read_glass_catalog(in);
   if (in.accept("max_trace_level")) {
     state_of(in).scene.settings.max_trace_level = in.integer("max_trace_level", 1, 256);
+    return;
+  }
+  if (Span const at = in.next_span(); in.accept("effects")) {
+    scene::EffectSettings& effects = state_of(in).scene.settings.effects;
+    effects.strict = true;
+    effects.strict_span = at;
+    if (!in.accept("strict")) reject(in, "'strict' or a block behind 'effects'");
     return;
   }
   reject(in, "an object, a setting or a directive");

@@ -132,6 +132,8 @@ scene::Light read_light(Reader&);
 void transform_light(scene::Light&, geometry::Transform const&);
 scene::Camera read_camera(Reader&);
 void read_global_settings(Reader&, scene::Settings&);
+/// effects.cpp: the content of `effects { ... }`.
+void read_effects(Reader&, scene::EffectSettings&);
 /// The bands that a `spectral` block asks for. @error E0416
 Result<optics::Bands> make_bands(scene::SpectralSettings const&);
 scene::SkySphere read_sky_sphere(Reader&);

@@ -128,11 +128,21 @@ private:
          : p.spacing == Spacing::Hall  ? "hall"
                                        : "boundaries",
          text(p.dispersion), text(p.mm_per_unit));
+    effects(s.effects);
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);
     std::string edges;
     for (double const edge : p.boundaries_nm) edges += fmt::format(" {}", text(edge));
     line("boundaries{}", edges);
+  }
+
+  void effects(scene::EffectSettings const& e) {
+    if (!e.strict && e.overrides.empty()) return;
+    std::string words;
+    for (auto const& each : e.overrides)
+      words += fmt::format(" {} {}", scene::switch_words[static_cast<std::size_t>(each.effect)],
+                           each.on ? "on" : "off");
+    line("effects{}{}", e.strict ? " strict" : "", words);
   }
 
   void sky(scene::SkySphere const& s) {

@@ -75,6 +75,8 @@ Evaluated evaluate(std::string name, std::string text, std::filesystem::path con
       result.interrupted = options.stop && options.stop->load();
     }
     result.diagnostics = in.take_diagnostics();
+    result.texts = std::move(in.texts);
+    result.texts.push_back(&source);
     result.scene = std::move(in.state.scene);
   });
   return result;

@@ -32,6 +32,8 @@ struct EvaluateOptions {
 
 struct Evaluated {
   std::unique_ptr<SourceSet> sources; ///< spans point into these
+  /// The scene file, what it includes, the entries of catalogues that it names.
+  std::vector<SourceFile const*> texts;
   scene::Scene scene;
   std::vector<Diagnostic> diagnostics;
   bool unreadable = false;  ///< the scene file itself could not be read: exit status 3

@@ -32,6 +32,7 @@ public:
   Interpreter(EvaluateOptions const& options, SourceSet& sources);
 
   Scope scope;
+  std::vector<SourceFile const*> texts; ///< all that add_source took
   SceneState state;
   ReaderImpl reader;
   Expressions expressions;
@@ -47,7 +48,8 @@ public:
   /// Parses a source, once; its syntax errors are reported. The tree lives as long as the run.
   ast::Document const& document(SourceFile const& source);
   SourceFile const& add_source(std::string name, std::string text) {
-    return sources_.add(std::move(name), std::move(text));
+    texts.push_back(&sources_.add(std::move(name), std::move(text)));
+    return *texts.back();
   }
 
   /// Adds a message with the chain of macro calls and includes that led to it. The same message at

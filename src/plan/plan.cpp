@@ -1,120 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "plan/plan.hpp"
 
-#include "plan/contact.hpp"
-#include "plan/dispersion.hpp"
+#include "plan/survey.hpp"
 
 #include <fmt/format.h>
-#include <set>
+#include <utility>
 
 namespace abbe::plan {
 namespace {
-
-/// Walks the scene and notes the first place that calls for each effect.
-class Survey {
-public:
-  Survey(scene::Scene const& scene, Overrides const& overrides, Plan& plan)
-      : scene_(scene), overrides_(overrides), plan_(plan) {}
-
-  void run() {
-    auto const& spectral = scene_.settings.spectral;
-    if (spectral.requested) find(Effect::SpectralTransport, "a spectral block", spectral.span);
-    if (overrides_.spectral) find(Effect::SpectralTransport, "--spectral", {});
-    if (overrides_.bands) find(Effect::SpectralTransport, "--bands", {});
-    for (auto const& light : scene_.lights) colour(light.colour, light.span);
-    colour(scene_.background, {});
-    colour(scene_.settings.ambient_light, {});
-    if (scene_.sky_sphere)
-      for (auto const& pigment : scene_.sky_sphere->pigments) this->pigment(pigment, false);
-    for (auto const& object : scene_.objects) this->object(object);
-    if (plan_.has(Effect::Refraction))
-      if (auto const contact = find_contact(scene_))
-        find(Effect::ContactOfMedia, contact->reason, contact->span);
-  }
-
-private:
-  void find(Effect effect, std::string reason, Span span) {
-    Finding& finding = plan_.findings[static_cast<std::size_t>(effect)];
-    if (!finding.on) finding = {true, std::move(reason), span};
-  }
-
-  void colour(scene::Colour const& colour, Span span) {
-    if (colour.spectrum) find(Effect::SpectralTransport, "a spectrum", span);
-  }
-
-  void pigment(scene::Pigment const& pigment, bool of_surface) {
-    if (pigment.pattern) {
-      find(Effect::Patterns, "a patterned pigment", pigment.span);
-      for (auto const& entry : pigment.entries)
-        if (seen_.insert(entry.pigment.get()).second) this->pigment(*entry.pigment, of_surface);
-      return;
-    }
-    colour(pigment.colour, pigment.span);
-    if (of_surface && (pigment.colour.filter != 0 || pigment.colour.transmit != 0))
-      find(Effect::FilteringShadows, "a pigment that lets light pass", pigment.span);
-  }
-
-  void texture(scene::Texture const& texture) {
-    pigment(texture.pigment, true);
-    scene::Finish const& finish = texture.finish;
-    colour(finish.ambient, texture.span);
-    colour(finish.emission, texture.span);
-    if (!finish.reflection) return;
-    find(Effect::Reflection, "finish { reflection }", texture.span);
-    colour(finish.reflection->minimum, texture.span);
-    colour(finish.reflection->maximum, texture.span);
-    if (finish.reflection->metal)
-      find(Effect::SpectralTransport, "a metal by n and k", texture.span);
-  }
-
-  void layers(scene::Layers const& layers) {
-    for (auto const& texture : layers) this->texture(texture);
-    if (layers.size() > 1) find(Effect::LayeredTextures, "a layered texture", layers.front().span);
-  }
-
-  void interior(scene::Interior const& interior) {
-    if (!seen_.insert(&interior).second) return;
-    Span const span = interior.span;
-    if (interior.fade_power != 0 && interior.fade_distance != 0)
-      find(Effect::DistanceFade, "fade_distance and fade_power", span);
-    auto const glass = dispersive_glass(interior);
-    if (glass || plain_index(interior) != 1)
-      find(Effect::Refraction, glass ? "glass " + glass->full_name() : "ior", span);
-    if (!glass) return;
-    if (interior.glass) find(Effect::Reflection, "Fresnel reflection of glass", span);
-    if (glass->absorbs()) {
-      find(Effect::Absorption, "internal absorption of " + glass->full_name(), span);
-      find(Effect::SpectralTransport, "internal absorption of " + glass->full_name(), span);
-    }
-    auto const mode = effective_mode(interior, scene_.settings, overrides_.dispersion);
-    auto const& range = scene_.settings.spectral;
-    if (mode.kind == scene::DispersionMode::Kind::None
-        || !glass->is_dispersive(range.low_nm, range.high_nm))
-      return;
-    std::string const reason = glass->full_name() + " disperses";
-    find(Effect::Dispersion, reason, span);
-    find(Effect::SpectralTransport, reason, span);
-    if (mode.kind == scene::DispersionMode::Kind::Stochastic)
-      find(Effect::StochasticDispersion, reason + ", dispersion { stochastic }", span);
-  }
-
-  void object(scene::Object const& object) {
-    using Kind = scene::Object::Kind;
-    if (object.kind == Kind::Intersection || object.kind == Kind::Difference
-        || object.kind == Kind::Merge || !object.clipped_by.empty())
-      find(Effect::Csg, "a boolean operation", object.span);
-    if (object.texture) layers(*object.texture);
-    if (object.interior_texture) layers(*object.interior_texture);
-    for (auto const& face : object.face_textures) layers(face);
-    if (object.interior) interior(*object.interior);
-    for (auto const& child : object.children) this->object(child);
-  }
-
-  scene::Scene const& scene_;
-  Overrides const& overrides_;
-  Plan& plan_;
-  std::set<void const*> seen_;
-};
 
 Result<optics::Bands> make_bands(scene::SpectralSettings const& settings,
                                  std::optional<int> override_count) {
@@ -131,6 +24,38 @@ Result<optics::Bands> make_bands(scene::SpectralSettings const& settings,
     return optics::Bands::from_edges(settings.boundaries_nm);
   }
   return Error{"E0416", "unknown spacing"};
+}
+
+/// "  (file:line:column)", or nothing.
+std::string place(Span const& span) {
+  if (!span.valid()) return "";
+  auto const at = span.source->place(span.begin);
+  return fmt::format("  ({}:{}:{})", span.source->name(), at.line, at.column);
+}
+
+/// What makes an effect different from what the scene asks for.
+std::pair<std::string, Span> who_overrides(Effect effect, scene::EffectSettings const& settings,
+                                           Overrides const& overrides, Choices const& choices) {
+  using scene::Switch;
+  if (effect == Effect::SpectralTransport && choices.forces_bands())
+    return {choices.why_bands(), choices.why_bands_span()};
+  auto const disperses = effect == Effect::Dispersion || effect == Effect::StochasticDispersion;
+  if (disperses && overrides.dispersion) return {"--dispersion", {}};
+  // By its own switch, else by that of an effect that it depends on.
+  std::vector<Switch> by;
+  if (auto const own = switch_of(effect)) by.push_back(*own);
+  for (Switch const each :
+       {Switch::Refraction, Switch::Spectral, Switch::Dispersion, Switch::Absorption})
+    by.push_back(each);
+  for (Switch const each : by)
+    for (auto const* list : {&overrides.effects, &settings.overrides})
+      for (auto const& given : *list)
+        if (given.effect == each)
+          return {fmt::format("effects {{ {} {} }}",
+                              scene::switch_words[static_cast<std::size_t>(each)],
+                              given.on ? "on" : "off"),
+                  given.span};
+  return {"--dispersion", {}}; // without dispersion nothing calls for bands
 }
 
 } // namespace
@@ -166,9 +91,38 @@ std::string_view effect_name(Effect effect) {
 }
 
 Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides) {
+  scene::EffectSettings const& settings = scene.settings.effects;
+  Choices const choices(settings, overrides);
+  Survey asked = survey(scene, {});
+  Survey made = choices.any() ? survey(scene, choices) : asked;
+  if (choices.off(scene::Switch::Spectral) && made.needs_bands.on)
+    return Error{"E0430", fmt::format("spectral transport cannot be off: the scene has {}{}",
+                                      made.needs_bands.reason, place(made.needs_bands.span))};
   Plan plan;
-  plan.dispersion_override = overrides.dispersion;
-  Survey(scene, overrides, plan).run();
+  plan.out_of_reach = std::move(made.out_of_reach);
+  plan.dispersion_override = choices.dispersion();
+  for (int i = 0; i < effect_count; ++i) {
+    Finding& finding = plan.findings[static_cast<std::size_t>(i)];
+    Finding& as_asked = asked.findings[static_cast<std::size_t>(i)];
+    finding = std::move(made.findings[static_cast<std::size_t>(i)]);
+    if (finding.on == as_asked.on) continue;
+    auto const effect = static_cast<Effect>(i);
+    auto const [by, span] = who_overrides(effect, settings, overrides, choices);
+    if (settings.strict && !overrides.lenient)
+      return Error{"E0431", fmt::format("effects strict: {} turns {} {}, {}", by,
+                                        effect_name(effect), finding.on ? "on" : "off",
+                                        as_asked.on ? "which the scene asks for: " + as_asked.reason
+                                                          + place(as_asked.span)
+                                                    : "which the scene does not ask for")};
+    if (!finding.on) {
+      finding = std::move(as_asked);
+      finding.on = false;
+    }
+    finding.overridden = by;
+    finding.overridden_at = span;
+  }
+  for (std::size_t i = 0; i < scene::switch_words.size(); ++i)
+    plan.off[i] = choices.off(static_cast<scene::Switch>(i));
   if (plan.has(Effect::SpectralTransport)) {
     auto bands = make_bands(scene.settings.spectral, overrides.bands);
     if (!bands) return bands.error();
@@ -178,20 +132,24 @@ Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides) {
 }
 
 std::string describe(Plan const& plan) {
-  std::string out = plan.bands
-                        ? fmt::format("transport: {} bands, {:g} to {:g} nm\n", plan.bands->count(),
-                                      plan.bands->lo_nm(), plan.bands->hi_nm())
-                        : "transport: r g b\n";
-  for (int i = 0; i < effect_count; ++i) {
-    Finding const& finding = plan.findings[static_cast<std::size_t>(i)];
-    out += fmt::format("{:22} {}", effect_name(static_cast<Effect>(i)), finding.on ? "on " : "off");
-    if (finding.on) out += "  " + finding.reason;
-    if (finding.span.valid()) {
-      auto const place = finding.span.source->place(finding.span.begin);
-      out += fmt::format("  ({}:{}:{})", finding.span.source->name(), place.line, place.column);
-    }
-    out += '\n';
-  }
+  std::string out = describe_transport(plan);
+  for (int i = 0; i < effect_count; ++i) out += describe(plan, static_cast<Effect>(i)) + '\n';
+  return out;
+}
+
+std::string describe_transport(Plan const& plan) {
+  if (!plan.bands) return "transport: r g b\n";
+  return fmt::format("transport: {} bands, {:g} to {:g} nm\n", plan.bands->count(),
+                     plan.bands->lo_nm(), plan.bands->hi_nm());
+}
+
+std::string describe(Plan const& plan, Effect effect) {
+  Finding const& finding = plan.findings[static_cast<std::size_t>(effect)];
+  std::string out = fmt::format("{:22} {}", effect_name(effect), finding.on ? "on " : "off");
+  if (finding.on) out += "  " + finding.reason + place(finding.span);
+  if (finding.overridden.empty()) return out;
+  out += fmt::format("  by {}{}", finding.overridden, place(finding.overridden_at));
+  if (!finding.on) out += "; asked for by " + finding.reason + place(finding.span);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "optics/bands.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,18 +30,26 @@ enum class Effect : std::uint8_t {
 };
 inline constexpr int effect_count = 12;
 std::string_view effect_name(Effect);
+/// The switch that puts it off, where there is one.
+std::optional<scene::Switch> switch_of(Effect);
 
 struct Finding {
   bool on = false;
-  std::string reason; ///< "glass N-SF11 with dispersion { deterministic }"
+  std::string reason; ///< "N-SF11 disperses"
   Span span;          ///< the first place that calls for it; may be invalid
+  /// What made it other than the scene asks for: "effects { dispersion off }"; else empty. When
+  /// that put it off, reason and span say what asked for it.
+  std::string overridden;
+  Span overridden_at; ///< invalid for the command line
 };
 
-/// What the command line may override.
+/// What the command line may override. It goes before the scene's own `effects` block.
 struct Overrides {
   std::optional<int> bands;                        ///< --bands
   std::optional<scene::DispersionMode> dispersion; ///< --dispersion: for every material
   bool spectral = false;                           ///< --spectral
+  std::vector<scene::EffectOverride> effects;      ///< of the probe of `abbe explain`
+  bool lenient = false;                            ///< the probe's: `strict` does not count
 };
 
 struct Plan {
@@ -48,13 +57,22 @@ struct Plan {
   /// nullopt: the scene is rendered in r g b.
   std::optional<optics::Bands> bands;
   std::optional<scene::DispersionMode> dispersion_override;
+  std::array<bool, scene::switch_words.size()> off{}; ///< put off by an override
+  /// Objects of the scene, by number and ascending, that no ray can reach and that would cost
+  /// something: they are left out.
+  std::vector<std::size_t> out_of_reach;
 
+  bool is_off(scene::Switch effect) const { return off[static_cast<std::size_t>(effect)]; }
   bool has(Effect e) const { return findings[static_cast<std::size_t>(e)].on; }
 };
 
-/// @error E0416 band settings that cannot be (count, range)
+/// @error E0416 band settings that cannot be (count, range), E0430 spectral transport is off and
+/// something needs it, E0431 `effects strict` and an override changes what the scene asks for
 Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides = {});
-/// One line an effect: on or off, why, where.
+/// The transport, then one line an effect: on or off, why, where; overrides too.
 std::string describe(Plan const& plan);
+/// The first line of that, and a line of it without its end.
+std::string describe_transport(Plan const& plan);
+std::string describe(Plan const& plan, Effect effect);
 
 } // namespace abbe::plan

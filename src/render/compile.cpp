@@ -96,8 +96,7 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
 
   PigmentCompiler pigments(colours, stage.pigments);
   MediaCompiler media(scene.settings, plan, colours, stage);
-  double const contact = plan.has(plan::Effect::ContactOfMedia) ? scene.settings.contact : 0.0;
-  compile_objects(scene, contact, colours, pigments, media, stage);
+  compile_objects(scene, plan, colours, pigments, media, stage);
   for (auto const& light : scene.lights)
     stage.lights.push_back(compile_light(light, scene.camera.location, colours));
   compile_sky(scene, pigments, colours, stage);

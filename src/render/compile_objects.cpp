@@ -24,15 +24,26 @@ struct Piece {
 
 class ObjectCompiler {
 public:
-  ObjectCompiler(scene::Scene const& scene, ColourCompiler& colours, PigmentCompiler& pigments,
-                 MediaCompiler& media, Stage& stage)
-      : scene_(scene), colours_(colours), pigments_(pigments), media_(media), stage_(stage) {}
+  ObjectCompiler(scene::Scene const& scene, plan::Plan const& plan, ColourCompiler& colours,
+                 PigmentCompiler& pigments, MediaCompiler& media, Stage& stage)
+      : scene_(scene),
+        plan_(plan),
+        colours_(colours),
+        pigments_(pigments),
+        media_(media),
+        stage_(stage) {}
 
-  void run(double contact) {
-    for (auto const& object : scene_.objects)
-      for (auto& piece : pieces(object)) add_solid(std::move(piece));
-    stage_.world =
-        std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_), contact);
+  void run() {
+    auto left_out = plan_.out_of_reach.begin();
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      if (left_out != plan_.out_of_reach.end() && *left_out == i)
+        ++left_out;
+      else
+        for (auto& piece : pieces(scene_.objects[i])) add_solid(std::move(piece));
+    }
+    bool const media_touch = plan_.has(plan::Effect::ContactOfMedia);
+    stage_.world = std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_),
+                                                     media_touch ? scene_.settings.contact : 0.0);
   }
 
 private:
@@ -98,7 +109,7 @@ private:
     return joined(std::move(parts), CsgTree::Op::Merge);
   }
 
-  static Piece joined(std::vector<Piece> parts, CsgTree::Op op) {
+  Piece joined(std::vector<Piece> parts, CsgTree::Op op) {
     if (parts.size() == 1) return std::move(parts.front());
     Piece out;
     out.tree.op = op;
@@ -108,15 +119,15 @@ private:
       out.opaque = out.opaque && part.opaque;
       out.tree.children.push_back(std::move(part.tree));
     }
-    settle_shadow(out);
+    settle_shadow(out, plan_.is_off(scene::Switch::FilteringShadows));
     return out;
   }
 
   /// A solid casts opaque shadows only when all of it is opaque.
-  static void settle_shadow(Piece& piece) {
+  static void settle_shadow(Piece& piece, bool full_shadows) {
     bool const casts = (piece.mask & (opaque_shadow_bit | filter_shadow_bit)) != 0;
     piece.mask &= static_cast<std::uint8_t>(~(opaque_shadow_bit | filter_shadow_bit));
-    if (casts) piece.mask |= piece.opaque ? opaque_shadow_bit : filter_shadow_bit;
+    if (casts) piece.mask |= piece.opaque || full_shadows ? opaque_shadow_bit : filter_shadow_bit;
   }
 
   /// Intersections and differences; several pieces where a see-through union is distributed.
@@ -192,11 +203,12 @@ private:
     bool const image = !object.no_image.value_or(false);
     bool const reflection = !object.no_reflection.value_or(false);
     bool const shadow = !object.no_shadow.value_or(false);
+    bool const full_shadows = plan_.is_off(scene::Switch::FilteringShadows);
     piece.mask =
         static_cast<std::uint8_t>((image ? camera_bit : 0) | (reflection ? reflection_bit : 0)
-                                  | (!shadow        ? 0
-                                     : piece.opaque ? opaque_shadow_bit
-                                                    : filter_shadow_bit));
+                                  | (!shadow                        ? 0
+                                     : piece.opaque || full_shadows ? opaque_shadow_bit
+                                                                    : filter_shadow_bit));
     return piece;
   }
 
@@ -222,6 +234,7 @@ private:
       CompiledLayer layer;
       layer.pigment = pigments_.add(texture.pigment);
       layer.finish = compile_finish(texture.finish, scene_.settings, colours_);
+      if (plan_.is_off(scene::Switch::Reflection)) layer.finish.reflection.reset();
       layer.to_texture_linear = to_stage.inverse_linear;
       layer.to_texture_offset = to_stage.inverse_offset;
       out.push_back(static_cast<int>(stage_.layers.size()));
@@ -232,6 +245,7 @@ private:
   }
 
   scene::Scene const& scene_;
+  plan::Plan const& plan_;
   ColourCompiler& colours_;
   PigmentCompiler& pigments_;
   MediaCompiler& media_;
@@ -244,9 +258,9 @@ private:
 
 } // namespace
 
-void compile_objects(scene::Scene const& scene, double contact, ColourCompiler& colours,
+void compile_objects(scene::Scene const& scene, plan::Plan const& plan, ColourCompiler& colours,
                      PigmentCompiler& pigments, MediaCompiler& media, Stage& stage) {
-  ObjectCompiler(scene, colours, pigments, media, stage).run(contact);
+  ObjectCompiler(scene, plan, colours, pigments, media, stage).run();
 }
 
 } // namespace abbe::render

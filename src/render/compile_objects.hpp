@@ -12,8 +12,7 @@ namespace abbe::render {
 /// Unions become several solids, so that they keep their inner faces as in POV-Ray. A union inside
 /// an intersection or difference is distributed over it for the same reason where something of it
 /// lets light pass; where all is opaque its inner faces can never be seen and it is one solid.
-/// @param contact share of the extent that counts as contact of media; 0: not called for
-void compile_objects(scene::Scene const& scene, double contact, ColourCompiler& colours,
+void compile_objects(scene::Scene const& scene, plan::Plan const& plan, ColourCompiler& colours,
                      PigmentCompiler& pigments, MediaCompiler& media, Stage& stage);
 
 } // namespace abbe::render

@@ -27,10 +27,13 @@ int MediaCompiler::add(std::shared_ptr<scene::Interior const> const& interior) {
 
 Medium MediaCompiler::compile(scene::Interior const& interior) {
   Medium medium;
-  medium.fresnel = interior.glass != nullptr;
-  medium.index_d = plan::plain_index(interior);
+  using scene::Switch;
+  bool const refracts = !plan_.is_off(Switch::Refraction);
+  medium.fresnel = interior.glass != nullptr && refracts && !plan_.is_off(Switch::Reflection);
+  medium.index_d = refracts ? plan::plain_index(interior) : 1;
   medium.flat_index.assign(static_cast<std::size_t>(stage_.channels), medium.index_d);
-  if (interior.fade_power != 0 && interior.fade_distance != 0) {
+  if (interior.fade_power != 0 && interior.fade_distance != 0
+      && !plan_.is_off(Switch::DistanceFade)) {
     medium.fade_distance = interior.fade_distance;
     medium.fade_power = interior.fade_power;
     medium.fade_colour = colours_.reflectance(interior.fade_colour);
@@ -39,7 +42,7 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
 
   optics::Bands const& bands = *stage_.bands;
   auto const glass = plan::dispersive_glass(interior);
-  if (glass && glass->absorbs()) {
+  if (glass && glass->absorbs() && !plan_.is_off(Switch::Absorption)) {
     for (int i = 0; i < bands.count(); ++i)
       medium.absorption.push_back(glass->absorption_per_mm(bands.center(i))
                                   * settings_.spectral.mm_per_unit);
@@ -47,7 +50,8 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
   }
   medium.mode = plan::effective_mode(interior, settings_, plan_.dispersion_override);
   bool const wanted = medium.mode.kind != scene::DispersionMode::Kind::None;
-  if (!wanted || !glass || !glass->is_dispersive(bands.lo_nm(), bands.hi_nm())) return medium;
+  if (!wanted || !refracts || !glass || !glass->is_dispersive(bands.lo_nm(), bands.hi_nm()))
+    return medium;
   medium.dispersive = true;
   medium.glass = glass.get();
   stage_.glasses.push_back(glass);

@@ -2,6 +2,7 @@
 #include "render/render.hpp"
 
 #include "render/camera.hpp"
+#include "render/checkpoint.hpp"
 #include "render/pixel_sampler.hpp"
 #include "render/working_space.hpp"
 
@@ -17,8 +18,23 @@
 namespace abbe::render {
 namespace {
 
-/// The picture being made: tiles in any order, each pixel written by the one thread that has its
-/// tile.
+std::uint32_t tile_count(RenderOptions const& options) {
+  Region const region = options.region.value_or(Region{0, 0, options.width, options.height});
+  int const size = std::max(1, options.tile_size);
+  return static_cast<std::uint32_t>((region.x1 - region.x0 + size - 1) / size)
+         * static_cast<std::uint32_t>((region.y1 - region.y0 + size - 1) / size);
+}
+
+/// Some rows of tiles in work.
+struct Strip {
+  int y0 = 0, y1 = 0;       ///< pixels
+  int tile0 = 0, tile1 = 0; ///< rows of tiles
+  image::Image image;
+  std::vector<std::uint8_t> marks; ///< method 1: pixels to be sampled again
+};
+
+/// The picture being made: strip by strip, the tiles of a strip in any order, each pixel written by
+/// the one thread that has its tile.
 class Frame {
 public:
   /// @param space of the channels when they are r g b
@@ -27,46 +43,45 @@ public:
         options_(options),
         space_(space),
         region_(options.region.value_or(Region{0, 0, options.width, options.height})),
+        size_(std::max(1, options.tile_size)),
+        across_((region_.x1 - region_.x0 + size_ - 1) / size_),
+        down_((region_.y1 - region_.y0 + size_ - 1) / size_),
         tracers_([&stage] { return Tracer(stage); }) {
-    result_.image = image::make_image(region_.x1 - region_.x0, region_.y1 - region_.y0);
-    auto const pixels = result_.image.pixels();
-    if (options.spectral_output) {
-      result_.image.bands.resize(pixels * static_cast<std::size_t>(stage.channels));
-      auto const centers = stage.bands->centers();
-      auto const edges = stage.bands->edges();
-      result_.image.band_centres_nm.assign(centers.begin(), centers.end());
-      result_.image.band_edges_nm.assign(edges.begin(), edges.end());
-    }
+    std::size_t floats = 3;
+    if (options.spectral_output) floats += static_cast<std::size_t>(stage.channels);
+    std::size_t const row_of_tiles = floats * sizeof(float) * static_cast<std::size_t>(size_)
+                                     * static_cast<std::size_t>(width());
+    strip_rows_ = static_cast<int>(std::clamp<std::size_t>(options.rows_bytes / row_of_tiles, 1,
+                                                           static_cast<std::size_t>(down_)));
   }
 
   RenderResult run() {
-    if (options_.anti_aliasing.method == 2) {
-      for_each_pixel(
-          [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.subdivided(x, y)); }, 0,
-          1);
-    } else if (options_.anti_aliasing.method == 1) {
-      double const first = 1.0 / 3;
-      for_each_pixel(
-          [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.centre(x, y)); }, 0,
-          first);
-      if (!wrong_) refine(first);
-    } else {
-      for_each_pixel(
-          [this](PixelSampler& sampler, int x, int y) { put(x, y, sampler.centre(x, y)); }, 0, 1);
+    int const method = options_.anti_aliasing.method;
+    first_share_ = method == 1 ? 1.0 / 3 : 1;
+    Strip strip = sampled_strip(0);
+    std::vector<float> above; // the last row of the strip before, as first sampled
+    while (!stopped()) {
+      int const behind = strip.tile1;
+      Strip next;
+      if (method == 1) {
+        if (behind < down_) next = sampled_strip(behind);
+        if (wrong_) break;
+        mark(strip, above, next.image.rgb);
+        auto const row = 3 * static_cast<std::size_t>(width());
+        above.assign(strip.image.rgb.end() - static_cast<std::ptrdiff_t>(row),
+                     strip.image.rgb.end());
+        refine(strip);
+      }
+      if (stopped() || wrong_ || !hand_on(strip) || behind == down_) break;
+      if (method != 1) {
+        strip = {}; // before the next takes its memory
+        next = sampled_strip(behind);
+      }
+      strip = std::move(next);
     }
     if (wrong_) result_.bad_sample = look_into(*wrong_);
-    CutLight cut;
-    for (auto const& tracer : tracers_) {
-      result_.counts.add(tracer.counts());
-      cut.add(tracer.cut_light());
-    }
-    double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
-    result_.missing_mean =
-        static_cast<double>(cut.sum) * CutLight::unit / samples * stage_.brightest;
-    result_.missing_most = cut.worst_sample * stage_.brightest;
+    add_counts();
     result_.interrupted = stopped();
-    if (!stage_.bands && !space_.is_linear())
-      for (auto& value : result_.image.rgb) value = static_cast<float>(space_.to_linear(value));
     return std::move(result_);
   }
 
@@ -77,86 +92,203 @@ private:
   };
 
   bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
+  /// In the whole picture.
+  std::size_t number(int x, int y) const {
+    return static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(width())
+           + static_cast<std::size_t>(x - region_.x0);
+  }
+  int width() const { return region_.x1 - region_.x0; }
 
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(result_.image.width)
+  Strip make_strip(int tile0) const {
+    Strip strip;
+    strip.tile0 = tile0;
+    strip.tile1 = std::min(tile0 + strip_rows_, down_);
+    strip.y0 = region_.y0 + tile0 * size_;
+    strip.y1 = std::min(region_.y0 + strip.tile1 * size_, region_.y1);
+    strip.image = image::make_image(width(), strip.y1 - strip.y0);
+    if (options_.spectral_output) {
+      strip.image.bands.resize(strip.image.pixels() * static_cast<std::size_t>(stage_.channels));
+      auto const centers = stage_.bands->centers();
+      auto const edges = stage_.bands->edges();
+      strip.image.band_centres_nm.assign(centers.begin(), centers.end());
+      strip.image.band_edges_nm.assign(edges.begin(), edges.end());
+    }
+    return strip;
+  }
+
+  /// Finished rows leave. @return whether to go on
+  bool hand_on(Strip& strip) {
+    image::Image& rows = strip.image;
+    if (!stage_.bands && !space_.is_linear())
+      for (auto& value : rows.rgb) value = static_cast<float>(space_.to_linear(value));
+    if (options_.on_rows) return options_.on_rows(rows);
+    image::Image& whole = result_.image;
+    if (whole.width == 0) {
+      whole = std::move(rows);
+    } else {
+      whole.height += rows.height;
+      whole.rgb.insert(whole.rgb.end(), rows.rgb.begin(), rows.rgb.end());
+      whole.bands.insert(whole.bands.end(), rows.bands.begin(), rows.bands.end());
+    }
+    return true;
+  }
+
+  void add_counts() {
+    CutLight cut = kept_.cut;
+    result_.counts = kept_.counts;
+    for (auto const& tracer : tracers_) {
+      result_.counts.add(tracer.counts());
+      cut.add(tracer.cut_light());
+    }
+    double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
+    result_.missing_mean =
+        static_cast<double>(cut.sum) * CutLight::unit / samples * stage_.brightest;
+    result_.missing_most = cut.worst_sample * stage_.brightest;
+  }
+
+  std::size_t index(Strip const& strip, int x, int y) const {
+    return static_cast<std::size_t>(y - strip.y0) * static_cast<std::size_t>(width())
            + static_cast<std::size_t>(x - region_.x0);
   }
 
-  void put(int x, int y, Sampled const& sampled) {
-    auto const at = index(x, y);
+  void put(Strip& strip, int x, int y, Sampled const& sampled) const {
+    auto const at = index(strip, x, y);
     for (int c = 0; c < 3; ++c)
-      result_.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
+      strip.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
     for (std::size_t c = 0; c < sampled.bands.size(); ++c)
-      result_.image.bands[at * sampled.bands.size() + c] =
+      strip.image.bands[at * sampled.bands.size() + c] =
           static_cast<float>(sampled.bands[c] * stage_.bands->d65_radiance(static_cast<int>(c)));
   }
 
-  Vec3 rgb(int x, int y) const {
-    auto const at = 3 * index(x, y);
-    auto const& values = result_.image.rgb;
-    return {values[at], values[at + 1], values[at + 2]};
+  Strip sampled_strip(int tile0) {
+    Strip strip = make_strip(tile0);
+    bool const subdivide = options_.anti_aliasing.method == 2;
+    for_each_tile(strip, 0, [&](PixelSampler& sampler, int x, int y) {
+      put(strip, x, y, subdivide ? sampler.subdivided(x, y) : sampler.centre(x, y));
+    });
+    return strip;
   }
 
   /// Method 1: a pixel that differs from its left or upper neighbour is sampled again, and so is
-  /// the neighbour. Marks are made from the centre samples alone, so the order does not matter.
-  void refine(double done_share) {
-    std::vector<std::uint8_t> marks(result_.image.pixels(), 0);
-    {
-      Tracer tracer(stage_);
-      PixelSampler const judge(stage_, options_, tracer);
-      for (int y = region_.y0; y < region_.y1; ++y)
-        for (int x = region_.x0; x < region_.x1; ++x) {
-          if (x > region_.x0 && judge.differ(rgb(x, y), rgb(x - 1, y)))
-            marks[index(x, y)] = marks[index(x - 1, y)] = 1;
-          if (y > region_.y0 && judge.differ(rgb(x, y), rgb(x, y - 1)))
-            marks[index(x, y)] = marks[index(x, y - 1)] = 1;
-        }
+  /// the neighbour. Marks are made from the first samples alone, so the order does not matter.
+  /// @param above, below the row before the strip and (first) the one behind it; may be empty
+  void mark(Strip& strip, std::vector<float> const& above, std::vector<float> const& below) {
+    strip.marks.assign(strip.image.pixels(), 0);
+    Tracer tracer(stage_);
+    PixelSampler const judge(stage_, options_, tracer);
+    auto const at = [](std::vector<float> const& values, std::size_t pixel) {
+      return Vec3(values[3 * pixel], values[3 * pixel + 1], values[3 * pixel + 2]);
+    };
+    auto const& values = strip.image.rgb;
+    auto const across = static_cast<std::size_t>(width());
+    for (std::size_t i = 0; i < strip.marks.size(); ++i) {
+      Vec3 const here = at(values, i);
+      if (i % across > 0 && judge.differ(here, at(values, i - 1)))
+        strip.marks[i] = strip.marks[i - 1] = 1;
+      if (i >= across) {
+        if (judge.differ(here, at(values, i - across)))
+          strip.marks[i] = strip.marks[i - across] = 1;
+      } else if (!above.empty() && judge.differ(here, at(above, i))) {
+        strip.marks[i] = 1;
+      }
+      if (i + across >= strip.marks.size() && !below.empty()
+          && judge.differ(at(below, i % across), here))
+        strip.marks[i] = 1;
     }
-    for_each_pixel(
-        [&](PixelSampler& sampler, int x, int y) {
-          if (marks[index(x, y)]) put(x, y, sampler.refined(x, y, sampler.centre(x, y)));
-        },
-        done_share, 1 - done_share);
   }
 
+  void refine(Strip& strip) {
+    for_each_tile(strip, 1, [&](PixelSampler& sampler, int x, int y) {
+      if (strip.marks[index(strip, x, y)])
+        put(strip, x, y, sampler.refined(x, y, sampler.centre(x, y)));
+    });
+  }
+
+  struct Box {
+    int x0, y0, x1, y1;
+  };
+
   template <class Work>
-  void for_each_pixel(Work const& work, double done_share, double share) {
-    int const size = std::max(1, options_.tile_size);
-    int const across = (region_.x1 - region_.x0 + size - 1) / size;
-    int const down = (region_.y1 - region_.y0 + size - 1) / size;
-    std::atomic<int> finished{0};
+  void for_each_tile(Strip& strip, std::uint32_t pass, Work const& work) {
     int const cores =
         options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(cores));
     tbb::task_arena arena(cores);
     arena.execute([&] {
-      tbb::parallel_for(0, across * down, [&](int tile) {
+      tbb::parallel_for(strip.tile0 * across_, strip.tile1 * across_, [&](int tile) {
         if (stopped()) return;
-        Tracer& tracer = tracers_.local();
-        PixelSampler sampler(stage_, options_, tracer);
-        std::uint64_t const before = tracer.counts().total();
-        int const x0 = region_.x0 + tile % across * size, y0 = region_.y0 + tile / across * size;
-        for (int y = y0; y < std::min(y0 + size, region_.y1); ++y) {
-          if (stopped()) return;
-          for (int x = x0; x < std::min(x0 + size, region_.x1); ++x) {
-            if (index(x, y) > first_wrong_.load(std::memory_order_relaxed)) break;
-            work(sampler, x, y);
-            if (sampler.wrong()) return keep(*sampler.wrong(), x, y);
+        Box box{region_.x0 + tile % across_ * size_, region_.y0 + tile / across_ * size_, 0, 0};
+        box.x1 = std::min(box.x0 + size_, region_.x1);
+        box.y1 = std::min(box.y0 + size_, region_.y1);
+        if (!options_.checkpoint || !take(strip, box, pass, tile)) {
+          Tracer& tracer = tracers_.local();
+          PixelSampler sampler(stage_, options_, tracer);
+          RayCounts const before = tracer.counts();
+          CutLight const cut_before = tracer.cut_light();
+          for (int y = box.y0; y < box.y1; ++y) {
+            if (stopped()) return;
+            for (int x = box.x0; x < box.x1; ++x) {
+              if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
+              work(sampler, x, y);
+              if (sampler.wrong()) return keep(*sampler.wrong(), x, y);
+            }
           }
+          rays_ += tracer.counts().total() - before.total();
+          if (options_.checkpoint) keep(strip, box, pass, tile, tracer, before, cut_before);
         }
-        rays_ += tracer.counts().total() - before;
-        report(done_share + share * ++finished / (across * down));
+        report(pass);
       });
     });
+  }
+
+  /// Calls work(array, first, count) for each row of a tile in each array of floats.
+  template <class Work>
+  void rows_of(Strip& strip, Box const& box, Work const& work) const {
+    std::size_t const channels = options_.spectral_output ? stage_.bands->count() : 0;
+    for (int y = box.y0; y < box.y1; ++y) {
+      auto const first = index(strip, box.x0, y);
+      auto const count = static_cast<std::size_t>(box.x1 - box.x0);
+      work(strip.image.rgb, 3 * first, 3 * count);
+      if (channels > 0) work(strip.image.bands, channels * first, channels * count);
+    }
+  }
+
+  /// A tile that the checkpoint has.
+  bool take(Strip& strip, Box const& box, std::uint32_t pass, int tile) {
+    auto const known = options_.checkpoint->find(pass, static_cast<std::uint32_t>(tile));
+    if (!known) return false;
+    auto from = known->values.begin();
+    rows_of(strip, box, [&](std::vector<float>& to, std::size_t first, std::size_t count) {
+      std::copy_n(from, count, to.begin() + static_cast<std::ptrdiff_t>(first));
+      from += static_cast<std::ptrdiff_t>(count);
+    });
+    std::lock_guard const lock(taking_);
+    kept_.counts.add(known->counts);
+    kept_.cut.add(known->cut);
+    return true;
+  }
+
+  void keep(Strip& strip, Box const& box, std::uint32_t pass, int tile, Tracer const& tracer,
+            RayCounts const& before, CutLight const& cut_before) {
+    TileResult result;
+    result.counts = tracer.counts();
+    result.counts.subtract(before);
+    result.cut = tracer.cut_light();
+    result.cut.paths -= cut_before.paths;
+    result.cut.sum -= cut_before.sum;
+    rows_of(strip, box, [&](std::vector<float>& from, std::size_t first, std::size_t count) {
+      auto const begin = from.begin() + static_cast<std::ptrdiff_t>(first);
+      result.values.insert(result.values.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+    });
+    options_.checkpoint->keep(pass, static_cast<std::uint32_t>(tile), result);
   }
 
   /// The first in rows stays, whatever the order in which they were found.
   void keep(PixelSampler::Wrong const& wrong, int x, int y) {
     std::lock_guard const lock(wrong_mutex_);
-    if (wrong_ && index(x, y) > first_wrong_) return;
-    first_wrong_ = index(x, y);
+    if (wrong_ && number(x, y) > first_wrong_) return;
+    first_wrong_ = number(x, y);
     wrong_ = {wrong, x, y};
   }
 
@@ -174,23 +306,34 @@ private:
     return {wrong.kind, x, y, wrong.key.number, wrong.rgb, recorder.path()};
   }
 
-  void report(double share) {
+  void report(std::uint32_t pass) {
+    auto const finished = ++finished_[pass];
     if (!options_.on_progress) return;
     std::unique_lock const lock(progress_, std::try_to_lock);
-    if (lock) options_.on_progress({share, rays_.load()});
+    if (!lock) return;
+    double const tiles = static_cast<double>(across_) * down_;
+    auto const other = static_cast<double>(finished_[1 - pass].load());
+    double const mine = static_cast<double>(finished);
+    double const done = pass == 0 ? first_share_ * mine + (1 - first_share_) * other
+                                  : first_share_ * other + (1 - first_share_) * mine;
+    options_.on_progress({done / tiles, rays_.load()});
   }
 
   Stage const& stage_;
   RenderOptions const& options_;
   WorkingSpace space_;
   Region region_;
+  int size_, across_, down_; ///< tiles
+  int strip_rows_ = 1;       ///< rows of tiles in a strip
+  double first_share_ = 1;   ///< of the work that the first pass is
   RenderResult result_;
+  TileResult kept_; ///< counts of the tiles that the checkpoint had
   tbb::enumerable_thread_specific<Tracer> tracers_;
   std::atomic<std::uint64_t> rays_{0};
-  std::mutex progress_;
+  std::atomic<std::uint64_t> finished_[2]{};
+  std::mutex progress_, taking_, wrong_mutex_;
   std::atomic<std::size_t> first_wrong_{std::numeric_limits<std::size_t>::max()};
   std::optional<WrongPixel> wrong_;
-  std::mutex wrong_mutex_;
 };
 
 } // namespace
@@ -200,6 +343,11 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
   ABBE_ASSERT(options.width > 0 && options.height > 0);
   ABBE_ASSERT(!options.spectral_output || plan.bands);
   Stage const stage = compile(scene, plan);
+  if (options.checkpoint) {
+    auto const tiles = tile_count(options);
+    std::uint32_t const passes = options.anti_aliasing.method == 1 ? 2 : 1;
+    options.checkpoint->begin(tiles, passes);
+  }
   return Frame(stage, options, WorkingSpace(scene.settings)).run();
 }
 

@@ -31,6 +31,8 @@ struct Progress {
   std::uint64_t rays = 0; ///< so far
 };
 
+class Checkpoint;
+
 struct RenderOptions {
   int width = 640;
   int height = 480;
@@ -50,6 +52,13 @@ struct RenderOptions {
 #else
   bool check_finite = true;
 #endif
+  /// Takes the finished rows, from the top, some at a time; false: leave. When it is set,
+  /// RenderResult::image stays empty and memory does not grow with the picture's height.
+  std::function<bool(image::Image const& rows)> on_rows;
+  /// About how much memory the rows in work may take.
+  std::size_t rows_bytes = std::size_t{32} << 20;
+  /// Finished tiles are kept in it, and taken from it. Must have been resumed, if at all.
+  Checkpoint* checkpoint = nullptr;
 };
 
 struct RenderResult {
@@ -64,7 +73,8 @@ struct RenderResult {
   std::optional<BadSample> bad_sample;
 };
 
-/// The picture of a scene. The same bytes for any number of threads and any tile size.
+/// The picture of a scene. The same bytes for any number of threads, any tile size and any
+/// rows_bytes, and whether or not tiles come from a checkpoint.
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options);
 

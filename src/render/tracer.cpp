@@ -35,6 +35,14 @@ void RayCounts::add(RayCounts const& other) {
   shadow += other.shadow;
 }
 
+void RayCounts::subtract(RayCounts const& other) {
+  camera -= other.camera;
+  reflected -= other.reflected;
+  refracted -= other.refracted;
+  monochromatic -= other.monochromatic;
+  shadow -= other.shadow;
+}
+
 void CutLight::add(CutLight const& other) {
   paths += other.paths;
   sum += other.sum;

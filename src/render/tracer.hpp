@@ -35,6 +35,7 @@ struct PathRay {
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, monochromatic = 0, shadow = 0;
   void add(RayCounts const& other);
+  void subtract(RayCounts const& other);
   std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
 };
 

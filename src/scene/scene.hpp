@@ -4,6 +4,7 @@
 #include "base/source.hpp"
 #include "base/vec.hpp"
 #include "geometry/shape.hpp"
+#include "scene/effects.hpp"
 #include "texture/pattern.hpp"
 
 #include <cstdint>
@@ -189,6 +190,7 @@ struct Settings {
   static constexpr double default_contact = 0x1p-22;
   double contact = default_contact;
   SpectralSettings spectral;
+  EffectSettings effects;
 };
 
 struct SkySphere {

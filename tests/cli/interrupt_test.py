@@ -27,7 +27,8 @@ class Interrupt(CliTest):
         return messages.decode()
 
     def render(self, number: int, *words) -> None:
-        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png', *words) as running:
+        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png', '--no-checkpoint',
+                     *words) as running:
             running.wait_until_busy()
             message = self.ends(running, running.signal(number))
         self.assertIn('interrupted', message)
@@ -47,13 +48,15 @@ class Interrupt(CliTest):
 
     def test_old_picture_survives(self):
         old = self.write('out.png', 'an older picture')
-        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png') as running:
+        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png',
+                     '--no-checkpoint') as running:
             running.wait_until_busy()
             self.ends(running, running.signal())
         self.assertEqual(old.read_text(), 'an older picture')
 
     def test_second_interrupt_ends_at_once(self):
-        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png') as running:
+        with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png',
+                     '--no-checkpoint') as running:
             running.wait_until_busy()
             running.signal()
             self.ends(running, running.signal())

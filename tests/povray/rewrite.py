@@ -6,7 +6,7 @@
 | `glass {...}` / `glass "X"` in an interior | `ior` and `dispersion` with the same nd and nF - nC |
 | `#declare X = glass {...}`            | dropped; used where `glass { X }` stands |
 | `dispersion {...}`                    | dropped; `{ none }` leaves the `dispersion` number out |
-| `spectral {...}`                      | dropped |
+| `spectral {...}`, `effects {...}`     | dropped |
 | `spectrum {...}`, `metal`, `glass_catalog` | cannot be rewritten: an error |
 
 Absorption of glasses is lost. An object of glass without a texture is clear in abbe and black in POV-Ray:
@@ -207,6 +207,10 @@ class Rewriter:
                     out.append(text_of(self.tokens[at:after + 1]))
                     self.interior(after + 1, close, out)
                     at = close
+                    continue
+                elif token.text == 'effects' and self.is_text(after, '{'):
+                    self.changed = True
+                    at = self.close_of(after) + 1
                     continue
                 elif token.text == 'spectral' and self.is_text(after, '{'):
                     at = self.spectral(after)
