@@ -20,6 +20,29 @@ bool lets_light_pass(scene::Pigment const& pigment) {
   return pigment.colour.filter != 0 || pigment.colour.transmit != 0;
 }
 
+/// May the camera stand in the object?
+bool may_hold(scene::Object const& object, Vec3 const& camera) {
+  if (object.inverse || !object.clipped_by.empty()) return true;
+  if (object.shape) {
+    auto const& to_shape = object.placement;
+    if (!object.shape->solid()
+        || object.shape->inside(to_shape.inverse_linear * camera + to_shape.inverse_offset))
+      return true;
+  }
+  return std::any_of(object.children.begin(), object.children.end(),
+                     [&](scene::Object const& child) { return may_hold(child, camera); });
+}
+
+/// No ray meets it, nor begins in it: camera, reflected and shadow rays all pass it by.
+bool unseen(scene::Object const& object, Vec3 const& camera) {
+  if (object.shape)
+    return object.no_image.value_or(false) && object.no_reflection.value_or(false)
+           && object.no_shadow.value_or(false) && !may_hold(object, camera);
+  return !object.inverse && object.clipped_by.empty()
+         && std::all_of(object.children.begin(), object.children.end(),
+                        [&](scene::Object const& child) { return unseen(child, camera); });
+}
+
 /// Can a ray get into the object, or ask for its index?
 bool reachable(scene::Object const& object, Vec3 const& camera) {
   auto const opens = [](scene::Layers const& layers) {
@@ -28,17 +51,11 @@ bool reachable(scene::Object const& object, Vec3 const& camera) {
              || (texture.finish.reflection && texture.finish.reflection->fresnel);
     });
   };
-  if (object.inverse || !object.clipped_by.empty()) return true;
+  if (may_hold(object, camera)) return true;
   if (object.interior && object.interior->glass) return true; // reflects by Fresnel unasked
   if (object.texture && opens(*object.texture)) return true;
   if (object.interior_texture && opens(*object.interior_texture)) return true;
   if (std::any_of(object.face_textures.begin(), object.face_textures.end(), opens)) return true;
-  if (object.shape) {
-    auto const& to_shape = object.placement;
-    if (!object.shape->solid()
-        || object.shape->inside(to_shape.inverse_linear * camera + to_shape.inverse_offset))
-      return true;
-  }
   return std::any_of(object.children.begin(), object.children.end(),
                      [&](scene::Object const& child) { return reachable(child, camera); });
 }
@@ -58,17 +75,24 @@ public:
     if (scene_.sky_sphere)
       for (auto const& pigment : scene_.sky_sphere->pigments) this->pigment(pigment, false);
     Reach const reach(scene_);
+    std::vector<std::size_t> never;
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
       scene::Object const& object = scene_.objects[i];
-      if (calls_for_more(object) && reach.apart(object))
+      if (unseen(object, scene_.camera.location))
+        never.push_back(i);
+      else if (calls_for_more(object) && reach.apart(object))
         out_.out_of_reach.push_back(i);
       else
         whole_object(object);
     }
-    if (!has(Effect::Reflection) && !has(Effect::Refraction)) return std::move(out_);
+    if (!has(Effect::Reflection) && !has(Effect::Refraction)) {
+      out_.out_of_reach.insert(out_.out_of_reach.end(), never.begin(), never.end());
+      std::sort(out_.out_of_reach.begin(), out_.out_of_reach.end());
+      return std::move(out_);
+    }
     // Rays go anywhere.
     for (std::size_t const i : out_.out_of_reach) whole_object(scene_.objects[i]);
-    out_.out_of_reach.clear();
+    out_.out_of_reach = std::move(never);
     if (has(Effect::Refraction))
       if (auto const contact = find_contact(scene_))
         find(Effect::ContactOfMedia, contact->reason, contact->span);
@@ -173,9 +197,6 @@ private:
 
   void object(scene::Object const& object) {
     using Kind = scene::Object::Kind;
-    if (object.no_image.value_or(false) && object.no_reflection.value_or(false)
-        && object.no_shadow.value_or(false))
-      return; // no ray meets it
     if (object.kind == Kind::Intersection || object.kind == Kind::Difference
         || object.kind == Kind::Merge || !object.clipped_by.empty())
       find(Effect::Csg, "a boolean operation", object.span);

@@ -36,7 +36,8 @@ struct Survey {
   std::vector<Finding> findings = std::vector<Finding>(effect_count);
   /// What cannot be carried out without bands: a spectrum, a metal.
   Finding needs_bands;
-  /// Objects of the scene (numbers) that would call for something and that no ray can reach.
+  /// Objects of the scene (numbers, ascending) that no ray can reach: those that would call for
+  /// something, and those that are not to be seen at all.
   std::vector<std::size_t> out_of_reach;
 };
 

@@ -37,6 +37,12 @@ class Effects(CliTest):
         self.same(PLAIN, PLAIN + BALL)
         self.assertIn('transport: r g b', self.plan(PLAIN + BALL))
 
+    def test_unseen_glass_is_not_there_unless_the_camera_is_in_it(self):
+        flags = BALL.replace('} }\n', '} no_image no_reflection no_shadow }\n').replace('0, -9>, 1 ', '0, 0>, 2 ')
+        self.same(PLAIN, PLAIN + flags)
+        self.assertIn('transport: r g b', self.plan(PLAIN + flags))
+        self.assertRegex(self.plan(PLAIN + flags.replace('>, 2 ', '>, 6 ')), 'dispersion +on')
+
     def test_glass_that_a_shadow_ray_may_meet_counts(self):
         between = BALL.replace('<0, 0, -9>', '<-4, 4, -5>').replace(', 1 ', ', 0.2 ')
         self.assertRegex(self.plan(PLAIN + between), 'dispersion +on')
