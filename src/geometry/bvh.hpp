@@ -76,9 +76,10 @@ struct BoxProbe {
 };
 
 /// Calls visit(item) for the items whose box the line meets in [from, to], roughly front to back;
-/// `to` may shrink meanwhile. visit returns false to stop. Node: {low, high, first, count}.
-template <class Node, class Visit>
-void walk(std::span<Node const> nodes, std::span<std::uint32_t const> items, BoxProbe const& probe,
+/// `to` may shrink meanwhile. visit returns false to stop. Node: {low, high, first, count}; Probe:
+/// BoxProbe, or what has its enter().
+template <class Node, class Probe, class Visit>
+void walk(std::span<Node const> nodes, std::span<std::uint32_t const> items, Probe const& probe,
           double from, double const& to, Visit&& visit) {
   struct Waiting {
     std::uint32_t node;

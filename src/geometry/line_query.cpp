@@ -3,15 +3,15 @@
 
 namespace abbe::geometry {
 
-bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start) {
+bool find_start(Departure const* from, PrimitiveId primitive, Start& start) {
   bool starts = false;
-  if (query.from == nullptr) return false;
+  if (from == nullptr) return false;
   // Members are in the order of the arriving ray: what goes through leaves from the last face of
   // the primitive, what comes back from the first.
-  for (Departure::On const& on : query.from->on) {
+  for (Departure::On const& on : from->on) {
     if (on.primitive != primitive) continue;
-    if (starts && !query.from->through) break;
-    start = {on.face, on.was_entering == query.from->through};
+    if (starts && !from->through) break;
+    start = {on.face, on.was_entering == from->through};
     starts = true;
   }
   return starts;
@@ -36,14 +36,14 @@ void gather_all(LineQuery const& query, PrimitiveId primitive, std::uint32_t ope
 
 void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden) {
   Start start;
-  bool const starts = find_start(query, primitive, start);
+  bool const starts = find_start(query.from, primitive, start);
   gather_all(query, primitive, operand, hidden, starts ? &start : nullptr);
 }
 
 void gather_near(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand,
                  bool hidden) {
   Start start;
-  bool const starts = find_start(query, primitive, start);
+  bool const starts = find_start(query.from, primitive, start);
   if (!starts && query.primitives[primitive].reach().misses(query.ray, query.until)) return;
   gather_all(query, primitive, operand, hidden, starts ? &start : nullptr);
 }

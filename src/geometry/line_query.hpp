@@ -20,7 +20,7 @@ struct LineQuery {
 };
 
 /// The start on the primitive, when the ray has one there. @return false when it has none
-bool find_start(LineQuery const& query, PrimitiveId primitive, Start& start);
+bool find_start(Departure const* from, PrimitiveId primitive, Start& start);
 
 /// Crossings are one group when these multiples of their error intervals overlap. So what is not in
 /// the group that a ray departs from is further from its start than the errors of both, and which

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/line.hpp"
 #include "geometry/reach.hpp"
 
 namespace abbe::geometry {
@@ -22,6 +23,10 @@ public:
   /// Of a normal of object space in the world: the direction, not of unit length.
   Vec3 to_world_normal(Vec3 const& n) const { return glm::transpose(inverse_linear_) * n; }
   Ray to_object(Ray const& world) const;
+  /// The same bits, for any lane type.
+  template <class L>
+  Line<L> line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
+               lane::Vec<L> const& origin_error) const;
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
@@ -46,5 +51,32 @@ private:
   Bounds bounds_;
   Reach reach_;
 };
+
+template <class L>
+Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
+                     lane::Vec<L> const& origin_error) const {
+  Mat3 const& m = inverse_linear_;
+  auto const vec = [](Vec3 const& v) { return lane::Vec<L>{L(v.x), L(v.y), L(v.z)}; };
+  auto const each = [](lane::Vec<L> const& a, lane::Vec<L> const& b) {
+    return lane::Vec<L>{a.x * b.x, a.y * b.y, a.z * b.z};
+  };
+  lane::Vec<L> const from_here = origin - vec(offset_);
+  lane::Vec<L> const off = L(rounding) * lane::abs(from_here) + vec(offset_rounding_);
+  lane::Vec<L> const turned = L(rounding) * lane::abs(direction);
+  if (along_axes_) {
+    lane::Vec<L> const scale = vec({m[0][0], m[1][1], m[2][2]});
+    lane::Vec<L> const size = vec({size_[0][0], size_[1][1], size_[2][2]});
+    return {each(scale, from_here), each(scale, direction), each(size, off), each(size, turned),
+            each(size, origin_error)};
+  }
+  auto const times = [](Mat3 const& by, lane::Vec<L> const& v) {
+    auto const row = [&](int i) {
+      return L(by[0][i]) * v.x + L(by[1][i]) * v.y + L(by[2][i]) * v.z;
+    };
+    return lane::Vec<L>{row(0), row(1), row(2)};
+  };
+  return {times(m, from_here), times(m, direction), times(size_, off), times(size_, turned),
+          times(size_, origin_error)};
+}
 
 } // namespace abbe::geometry

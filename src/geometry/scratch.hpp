@@ -43,6 +43,15 @@ struct HalfSpaceScratch {
 
 inline constexpr SolidId no_solid = static_cast<SolidId>(-1);
 
+/// Where a crossing of a fan's ray comes from (World::closest_fan).
+struct FanProposal {
+  SolidId solid = 0;
+  PrimitiveId primitive = 0;
+  bool inverse = false; ///< the solid's inside is the primitive's outside
+  bool alone = true;    ///< its only event
+  bool toggles = true;
+};
+
 class Scratch {
 public:
   /// Asked first by the next World::occluded, whose answer does not depend on it.
@@ -54,6 +63,7 @@ public:
   std::vector<Departure::On> members;
   HitGroup beyond;   ///< what is in contact with a group
   Departure through; ///< from that group on
+  std::vector<FanProposal> proposals;
   /// Values of the boolean trees of the world `owner`, put back to "outside" after each use.
   std::uint64_t owner = 0;
   std::vector<CsgProgram::State> states;

@@ -36,6 +36,9 @@ public:
   Bounds const& bounds() const { return bounds_; }
   bool has_program() const { return tree_ != nullptr; }
   CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
+  /// Without a program: the one primitive, and whether its inside is taken for its outside.
+  PrimitiveId only() const { return only_; }
+  bool inverse() const { return inverse_; }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
   /// not visible) or a patch. Members are scratch.events[first, last).
@@ -165,7 +168,7 @@ std::size_t TracedSolid::convex(Query const& query, Take& take) const {
 template <class Take>
 void TracedSolid::single_ahead(Query const& query, Take& take) const {
   Start start;
-  bool const starts = find_start(query, only_, start);
+  bool const starts = find_start(query.from, only_, start);
   Placed const& placed = query.primitives[only_];
   if (starts ? convex_ && !start.to_inside : placed.reach().misses(query.ray, query.until)) return;
   Crossings& crossings = query.scratch.crossings;

@@ -1,101 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/world.hpp"
-
-#include "geometry/contact.hpp"
-#include "geometry/traced_solid.hpp"
+#include "geometry/world_impl.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace abbe::geometry {
-
-namespace {
-
-/// Tells one world's scratch from another's, nothing more.
-std::uint64_t next_world_number() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
-
-} // namespace
-
-struct World::Impl {
-  std::uint64_t number = next_world_number();
-  std::vector<Placed> primitives;
-  std::vector<TracedSolid> solids;
-  std::vector<std::uint32_t> state_of; ///< solid -> place in Scratch::states
-  std::uint32_t states = 0;
-  /// The solids with a bit of a mask, by place.
-  struct Group {
-    std::uint8_t mask = 0xff;
-    std::vector<SolidId> infinite;
-    std::vector<SolidId> finite; ///< item of bvh -> solid
-    Bvh bvh;
-  };
-  Group all;
-  std::vector<Group> some; ///< those of bits that at most half of the solids have
-
-  Group make_group(std::uint8_t mask) const {
-    Group group;
-    group.mask = mask;
-    std::vector<BvhBox> boxes;
-    for (SolidId id = 0; id < solids.size(); ++id) {
-      Bounds const& bounds = solids[id].bounds();
-      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
-      if (bounds.infinite) {
-        group.infinite.push_back(id);
-      } else if (!bounds.empty()) {
-        boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(group.finite.size())});
-        group.finite.push_back(id);
-      }
-    }
-    group.bvh = Bvh(std::move(boxes));
-    return group;
-  }
-  Group const& group(std::uint8_t mask) const {
-    for (Group const& few : some) {
-      if ((mask & ~few.mask) == 0) return few;
-    }
-    return all;
-  }
-  Contacts contacts; ///< by solid
-
-  bool first_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                   Scratch& scratch, HitGroup& out) const;
-  void join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
-                    HitGroup& out) const;
-  void prepare(Scratch& scratch) const {
-    if (scratch.owner == number) return;
-    scratch.states.assign(states, {});
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-      if (solids[i].has_program()) scratch.states[state_of[i]] = solids[i].program()->outside();
-    }
-    scratch.owner = number;
-  }
-  TracedSolid::Query query(SolidId id, Ray const& ray, Departure const* from, Scratch& scratch,
-                           double const& until = everywhere) const {
-    CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
-    return {primitives, ray, from, scratch, state, until};
-  }
-  /// visit(solid) for those that the line may meet in [low, high], with a bit of `mask` and perhaps
-  /// others; false stops.
-  template <class Visit>
-  void each_solid(Ray const& ray, std::uint8_t mask, double low, double const& high,
-                  Visit&& visit) const {
-    Group const& group = this->group(mask);
-    bool goes_on = true;
-    walk(std::span<BvhNode const>(group.bvh.nodes()),
-         std::span<std::uint32_t const>(group.bvh.items()), BoxProbe(ray), low, high,
-         [&](std::uint32_t item) {
-           goes_on = visit(group.finite[item]);
-           return goes_on;
-         });
-    for (std::size_t i = 0; goes_on && i < group.infinite.size(); ++i) {
-      goes_on = visit(group.infinite[i]);
-    }
-  }
-};
 
 void ScratchDeleter::operator()(Scratch* scratch) const {
   delete scratch;
@@ -110,6 +19,8 @@ World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, dou
   impl.primitives.reserve(primitives.size());
   for (PlacedShape const& placed : primitives) impl.primitives.emplace_back(placed);
   primitives = {}; // a million of them are 400 MB
+  for (Placed const& placed : impl.primitives)
+    impl.four_slices.push_back(dynamic_cast<FourSlices const*>(&placed.shape()));
   impl.solids.reserve(solids.size());
   for (SolidId id = 0; id < solids.size(); ++id) {
     impl.solids.emplace_back(solids[id], impl.primitives, id);
@@ -187,7 +98,7 @@ bool World::Impl::first_group(Ray const& ray, Departure const* from, std::uint8_
   double best = everywhere, best_end = t_max;
   double begin = everywhere; // of the first candidate's error interval
   std::size_t nearest = 0;
-  each_solid(ray, mask, 0.0, best_end, [&](SolidId id) {
+  each_solid(BoxProbe(ray), mask, 0.0, best_end, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     solid.passages(
@@ -294,7 +205,8 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   // Neighbouring rays meet the same.
   SolidId const last = scratch.last_occluder;
   if (last < impl_->solids.size() && !ask(last)) return true;
-  impl_->each_solid(ray, mask, 0.0, t_max, [&](SolidId id) { return id == last || ask(id); });
+  impl_->each_solid(BoxProbe(ray), mask, 0.0, t_max,
+                    [&](SolidId id) { return id == last || ask(id); });
   if (!found) scratch.last_occluder = no_solid;
   return found;
 }
@@ -306,7 +218,7 @@ void World::containing(Vec3 const& point, Scratch& scratch, std::vector<SolidId>
   // Along no axis, diagonal or edge that a scene is likely to have.
   Ray const ray{point, Vec3(0.3713906763541037, 0.5570860145311556, 0.7427813527082074), Vec3(0)};
   double const here = 0.0;
-  impl_->each_solid(ray, 0xff, 0.0, here, [&](SolidId id) {
+  impl_->each_solid(BoxProbe(ray), 0xff, 0.0, here, [&](SolidId id) {
     double entry = -everywhere;
     bool any = false, inside = false;
     bool const before = impl_->solids[id].passages(impl_->query(id, ray, nullptr, scratch), true,

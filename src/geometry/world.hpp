@@ -68,6 +68,9 @@ struct HitGroup {
   }
 };
 
+struct FanLines;
+struct FanHits;
+
 /// Scratch memory of one thread: nothing is allocated per ray once it has grown.
 class Scratch;
 struct ScratchDeleter {
@@ -97,6 +100,15 @@ public:
   /// are one group, at the surface that is left.
   bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
                HitGroup& out) const;
+  /// closest() for each ray of a fan (fan.hpp), with the bits of each alone.
+  /// @param rays at least one, filled up
+  /// @param t_max by ray; null: infinite
+  void closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                   double const* t_max, Scratch&, FanHits& hits) const;
+  /// occluded() for each ray of a fan: blocked, clear, or neither of them where it takes occluded()
+  /// itself to tell.
+  void occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                    double const* t_max, Scratch&, bool* blocked, bool* clear) const;
   /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?
   bool occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                 Scratch&) const;
@@ -105,6 +117,8 @@ public:
   /// Outward unit normal of the primitive's surface in world space (smoothed / the true one).
   Vec3 normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   Vec3 geometric_normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  /// The face has one normal, wherever the point.
+  bool flat(PrimitiveId, std::uint32_t face) const;
   /// Is the point inside the primitive?
   bool inside(PrimitiveId, Vec3 const& point) const;
   Bounds bounds(SolidId) const;
@@ -112,8 +126,9 @@ public:
   std::optional<FaceBlend> face_blend(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   Shape const& shape(PrimitiveId) const;
 
+  struct Impl; ///< of this folder's own
+
 private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -17,12 +17,14 @@ public:
   T* take(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);
     constexpr std::size_t alignment = alignof(T) > 8 ? alignof(T) : 8;
-    std::size_t const bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
+    static_assert(alignment <= block_alignment);
+    auto const up = [](std::size_t n, std::size_t to) { return (n + to - 1) / to * to; };
+    std::size_t const bytes = up(count * sizeof(T), 8);
     while (true) {
-      if (block_ < blocks_.size() && used_ + bytes <= blocks_[block_].size) {
-        void* place = blocks_[block_].memory.get() + used_;
-        used_ += bytes;
-        return static_cast<T*>(place);
+      std::size_t const begin = up(used_, alignment);
+      if (block_ < blocks_.size() && begin + bytes <= blocks_[block_].size) {
+        used_ = begin + bytes;
+        return static_cast<T*>(static_cast<void*>(blocks_[block_].memory.get() + begin));
       }
       if (block_ < blocks_.size()) ++block_;
       used_ = 0;
@@ -48,13 +50,20 @@ public:
   };
 
 private:
+  static constexpr std::size_t block_alignment = 64;
+  struct Free {
+    void operator()(std::byte* memory) const {
+      ::operator delete(memory, std::align_val_t{block_alignment});
+    }
+  };
   struct Block {
-    std::unique_ptr<std::byte[]> memory;
+    std::unique_ptr<std::byte, Free> memory;
     std::size_t size;
   };
   void grow(std::size_t bytes) {
     std::size_t const size = bytes > block_size ? bytes : block_size;
-    blocks_.push_back({std::make_unique<std::byte[]>(size), size});
+    auto* memory = static_cast<std::byte*>(::operator new(size, std::align_val_t{block_alignment}));
+    blocks_.push_back({std::unique_ptr<std::byte, Free>(memory), size});
   }
   static constexpr std::size_t block_size = std::size_t{1} << 18;
   std::vector<Block> blocks_;

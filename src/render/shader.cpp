@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/shader.hpp"
 
+#include "render/fan_shadows.hpp"
 #include "render/pigment.hpp"
 
 #include <algorithm>
@@ -34,15 +35,31 @@ double distance_fade(Medium const& medium, int channel, double distance) {
   return colour + (1 - colour) / (1 + std::pow(depth, medium.fade_power));
 }
 
+bool towards(CompiledLight const& light, Vec3 const& point, Vec3& direction, double& distance) {
+  if (light.kind == scene::Light::Kind::Parallel) {
+    distance = glm::dot(point - light.position, light.direction);
+    direction = -light.direction;
+    return distance > 0; // not behind the plane of the light
+  }
+  direction = light.position - point;
+  distance = glm::length(direction);
+  if (distance == 0) return false;
+  direction /= distance;
+  return true;
+}
+
 Shader::Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
-               LaneInterface const& face, InsideNode const* inside_after)
+               LaneInterface const& face, InsideNode const* inside_after, FanShadows* shadows,
+               std::size_t lane)
     : tracer_(tracer),
       stage_(tracer.stage_),
       ray_(ray),
       beam_(beam),
       frame_(frame),
       face_(face),
-      inside_after_(inside_after) {}
+      inside_after_(inside_after),
+      shadows_(shadows),
+      lane_(lane) {}
 
 LaneSurface Shader::shade() {
   LaneSurface out;
@@ -169,16 +186,9 @@ void Shader::add_lights(CompiledFinish const& finish, double const* pigment, dou
 void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
                        double const* pigment, double opaque, bool double_illuminate,
                        double const* passed) {
-  Vec3 to_light = light.position - frame_.hit.point;
-  double distance = glm::length(to_light);
-  if (light.kind == scene::Light::Kind::Parallel) {
-    distance = glm::dot(frame_.hit.point - light.position, light.direction);
-    if (distance <= 0) return; // behind the plane of the light
-    to_light = -light.direction;
-  } else {
-    if (distance == 0) return;
-    to_light /= distance;
-  }
+  Vec3 to_light;
+  double distance = 0;
+  if (!towards(light, frame_.hit.point, to_light, distance)) return;
   double strength = 1;
   if (light.kind == scene::Light::Kind::Spot) {
     double const cosine = -glm::dot(to_light, light.direction);
@@ -227,7 +237,7 @@ void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
   if (!light.shadowless) {
     left = tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
     std::fill_n(left, beam_.lanes, 1.0);
-    if (!visible(to_light, distance, left)) return;
+    if (!visible(light, to_light, distance, left)) return;
   }
   double const tint = finish.metallic != 0 ? finish.metallic * (1 - metallic_falloff(cosine)) : 0;
   for (int k = 0; k < beam_.lanes; ++k) {
@@ -260,8 +270,13 @@ void Shader::reflectivity(CompiledReflection const& reflection, double const* pi
   }
 }
 
-bool Shader::visible(Vec3 const& to_light, double distance, double* left) {
+bool Shader::visible(CompiledLight const& light, Vec3 const& to_light, double distance,
+                     double* left) {
   ++tracer_.counts_.shadow;
+  if (shadows_) {
+    FanShadows::Way const way = shadows_->way(light, lane_);
+    if (way != FanShadows::Way::Unknown) return way == FanShadows::Way::Free;
+  }
   geometry::Departure& from = frame_.shadow;
   from.on = frame_.hit.members;
   from.through = glm::dot(face_.geometric, to_light) < 0;

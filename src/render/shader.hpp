@@ -12,7 +12,8 @@ namespace abbe::render {
 class Shader {
 public:
   Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
-         LaneInterface const& face, InsideNode const* inside_after);
+         LaneInterface const& face, InsideNode const* inside_after, FanShadows* shadows = nullptr,
+         std::size_t lane = 0);
 
   /// All surfaces of the hit, nearest side first.
   LaneSurface shade();
@@ -34,7 +35,7 @@ private:
   void reflectivity(CompiledReflection const& reflection, double const* pigment, bool carries,
                     double* out);
   /// Light left after the way to a lamp; false when there is none. `left` is per lane.
-  bool visible(Vec3 const& to_light, double distance, double* left);
+  bool visible(CompiledLight const& light, Vec3 const& to_light, double distance, double* left);
   void filter_shadow(Vec3 const& to_light, double distance, double* left);
 
   Tracer& tracer_;
@@ -44,7 +45,12 @@ private:
   Tracer::Frame& frame_;
   LaneInterface const& face_;
   InsideNode const* inside_after_;
+  FanShadows* shadows_; ///< where the ray is one of a fan: lane_
+  std::size_t lane_;
 };
+
+/// The unit direction from a point to a lamp, and how far it is; false where its light cannot come.
+bool towards(CompiledLight const& light, Vec3 const& point, Vec3& direction, double& distance);
 
 /// Attenuation by `fade_distance` and `fade_power` of the medium that is left, one channel.
 double distance_fade(Medium const& medium, int channel, double distance);

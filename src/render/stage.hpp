@@ -86,6 +86,8 @@ struct Surface {
   bool double_illuminate = false;
   Span object; ///< of the shape, for messages
   std::string_view keyword;
+  /// Nothing but the change of media: clear glass.
+  bool bare() const { return layers.empty() && interior_layers.empty() && face_layers.empty(); }
 };
 
 struct CompiledSolid {

@@ -253,6 +253,12 @@ void Tracer::trace(PathRay const& ray, Beam const& incoming) {
     --depth_;
     return;
   }
+  arrive(ray, incoming, here, found);
+  --depth_;
+}
+
+void Tracer::arrive(PathRay const& ray, Beam const& incoming, Frame& here, bool found) {
+  double constexpr infinity = std::numeric_limits<double>::infinity();
   Arena::Scope const scope(arena_);
   Beam beam = incoming;
   beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
@@ -263,7 +269,6 @@ void Tracer::trace(PathRay const& ray, Beam const& incoming) {
     interact(arriving, beam, here);
   else
     add_background(ray.line.direction, beam); // infinitely far: nothing comes through what absorbs
-  --depth_;
 }
 
 } // namespace abbe::render

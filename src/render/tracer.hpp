@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/fan.hpp"
 #include "render/arena.hpp"
 #include "render/beam.hpp"
 #include "render/interface.hpp"
@@ -13,6 +14,9 @@
 #include <deque>
 
 namespace abbe::render {
+
+struct FanInterface;
+class FanShadows;
 
 /// What a ray is inside of: the solids with an interior, the last entered first. Lives in the
 /// arena.
@@ -29,6 +33,19 @@ struct PathRay {
   int level = 0;
   std::uint8_t mask = camera_bit;
   double travelled = 0; ///< before the origin, since the last real surface
+};
+
+/// Rays of neighbouring wavelengths that met the same surfaces so far, each with one lane of a
+/// beam: ray k is that of lane k. Arrays are in the arena.
+struct FanRay {
+  geometry::FanLines const* lines = nullptr;
+  geometry::Departure const* from = nullptr;
+  InsideNode const* inside = nullptr;
+  int level = 0;
+  std::uint8_t mask = camera_bit;
+  PathRay lane(int k) const {
+    return {lines->get(static_cast<std::size_t>(k)), from, inside, level, mask, 0};
+  }
 };
 
 /// Counts of one thread, added up for the report.
@@ -73,6 +90,7 @@ public:
 private:
   friend class PathRecorder;
   friend class Shader;
+  friend class FanShadows;
   struct Frame {
     geometry::HitGroup hit;
     geometry::Departure through, back, shadow;
@@ -99,6 +117,29 @@ private:
   int medium_of(InsideNode const* inside) const;
   double index_of(int medium, Beam const& beam);
 
+  /// The rest of trace(): what the ray met is in `frame`, or it `found` nothing.
+  void arrive(PathRay const& ray, Beam const& incoming, Frame& frame, bool found);
+
+  // tracer_fan.cpp
+  /// What trace() does for each ray of a fan, with the same bits, and most of the work once for
+  /// all.
+  void trace_fan(FanRay const& fan, Beam const& beam);
+  /// Traces those lanes whose throughput is not to be cut, counted as `kind`.
+  void trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind);
+  /// Rays of a fan, next to each other, that met the same surface.
+  void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
+                    std::size_t first, std::size_t count, Frame& frame);
+  /// The same where fan_normals() knows the normals, which are in `met`.
+  void interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
+                    FanInterface& met, Frame& frame);
+  /// The surface's normals at the hits; false where they are not the geometric ones.
+  bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);
+  /// What the textures do to ray k of a fan.
+  LaneSurface shade_lane(PathRay const& ray, Beam const& lane, Frame& frame,
+                         FanInterface const& met, std::size_t k, LaneInterface& face,
+                         InsideNode const* after, FanShadows& shadows);
+  static Beam one_lane(Beam const& beam, int k);
+
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
   /// Goes straight on where all surfaces of the hit are displaced.
@@ -107,6 +148,11 @@ private:
   void find_interface(Beam const& beam, Vec3 const& direction, LaneInterface& face);
   void reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                LaneSurface const& surface);
+  /// What of a lane's light returns, and what goes on.
+  static double mirrored_weight(LaneInterface const& face, LaneSurface const& surface, int k,
+                                bool any_passes);
+  static double passed_weight(LaneInterface const& face, LaneSurface const& surface, int k);
+  static Vec3 mirrored_direction(Vec3 const& direction, LaneInterface const& face);
   void transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                 LaneSurface const& surface, InsideNode const* after);
   void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
@@ -114,6 +160,9 @@ private:
   /// Sends the companion of a beam that meets its first stochastic material (Beam::control).
   void follow_control(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                       LaneSurface const& surface, InsideNode const* after);
+  /// A split in the published scheme: lane by lane, as each becomes two.
+  void split_faithfully(PathRay const& ray, Beam const& beam, Frame& frame,
+                        LaneInterface const& face, InsideNode const* after);
   /// The beam once it met a dispersing material of this stochastic setting: its light is kept apart
   /// on the film.
   Beam jittered(Beam const& beam, int jitter);

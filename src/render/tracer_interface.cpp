@@ -183,23 +183,38 @@ Beam Tracer::doubled(Beam const& beam, int jitter) {
   return out;
 }
 
+double Tracer::mirrored_weight(LaneInterface const& face, LaneSurface const& surface, int k,
+                               bool any_passes) {
+  double const asked = surface.mirrored[k];
+  // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
+  if (face.total[k]) return any_passes ? 1 : asked;
+  bool const unasked = face.fresnel && !surface.explicit_reflection;
+  return unasked && surface.passed[k] > 0 ? asked + face.reflectance[k] : asked;
+}
+
+double Tracer::passed_weight(LaneInterface const& face, LaneSurface const& surface, int k) {
+  bool const unasked = face.fresnel && !surface.explicit_reflection;
+  return surface.passed[k] * (face.total[k] ? 0 : unasked ? face.transmittance[k] : 1);
+}
+
+Vec3 Tracer::mirrored_direction(Vec3 const& incident, LaneInterface const& face) {
+  Vec3 const direction = optics::reflected(incident, face.normal);
+  double const below = glm::dot(direction, face.geometric);
+  if (!(below < 0)) return direction;
+  // A smoothed normal must not send it through the surface.
+  return glm::normalize(direction - face.geometric * (2 * below));
+}
+
 void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                      LaneSurface const& surface) {
-  bool const unasked = face.fresnel && !surface.explicit_reflection;
   Arena::Scope const scope(arena_);
   Beam mirrored = beam;
   mirrored.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   bool captures = surface.mirrors && surface.exponent != 1;
+  bool const passes = any_above(surface.passed, beam.lanes, 0);
   for (int k = 0; k < beam.lanes; ++k) {
-    double weight = surface.mirrored[k];
-    // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
-    if (face.total[k]) {
-      weight = any_above(surface.passed, beam.lanes, 0) ? 1 : weight;
-      captures = false;
-    } else if (unasked) {
-      weight += surface.passed[k] > 0 ? face.reflectance[k] : 0;
-    }
-    mirrored.throughput[k] = beam.throughput[k] * weight;
+    captures = captures && !face.total[k];
+    mirrored.throughput[k] = beam.throughput[k] * mirrored_weight(face, surface, k, passes);
   }
   if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout))
     return cut(mirrored, beam.lanes);
@@ -209,15 +224,12 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
   }
   frame.back.on = frame.hit.members;
   frame.back.through = false;
-  Vec3 direction = optics::reflected(ray.line.direction, face.normal);
-  double const below = glm::dot(direction, face.geometric);
-  if (below < 0) // a smoothed normal must not send it through the surface
-    direction = glm::normalize(direction - face.geometric * (2 * below));
-  PathRay const next{{frame.hit.point, direction, frame.hit.point_error},
-                     &frame.back,
-                     ray.inside,
-                     ray.level + 1,
-                     reflection_bit};
+  PathRay const next{
+      {frame.hit.point, mirrored_direction(ray.line.direction, face), frame.hit.point_error},
+      &frame.back,
+      ray.inside,
+      ray.level + 1,
+      reflection_bit};
   ++counts_.reflected;
   if (!captures) return trace(next, mirrored);
 
@@ -238,14 +250,11 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
 
 void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                       LaneSurface const& surface, InsideNode const* after) {
-  bool const unasked = face.fresnel && !surface.explicit_reflection;
   Arena::Scope const scope(arena_);
   Beam passed = beam;
   passed.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
-  for (int k = 0; k < beam.lanes; ++k) {
-    double const through = face.total[k] ? 0 : unasked ? face.transmittance[k] : 1;
-    passed.throughput[k] = beam.throughput[k] * surface.passed[k] * through;
-  }
+  for (int k = 0; k < beam.lanes; ++k)
+    passed.throughput[k] = beam.throughput[k] * passed_weight(face, surface, k);
   if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout)) return cut(passed, beam.lanes);
   frame.through.on = frame.hit.members;
   frame.through.through = true;
@@ -266,30 +275,49 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
 void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                    InsideNode const* after) {
   Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
+  bool const faithful =
+      governing.jitter >= 0 && stage_.jitters[static_cast<std::size_t>(governing.jitter)].faithful;
+  if (faithful) return split_faithfully(ray, beam, frame, face, after);
+  Arena::Scope const scope(arena_);
+  // The lanes of the beam, on the film where their kind of wavelength is added up.
+  Beam apart = beam;
+  apart.wave = face.split_wave;
+  apart.locked = true;
+  if (governing.jitter >= 0) apart = jittered(apart, governing.jitter);
+  constexpr int width = geometry::fan_width;
+  auto* lines = arena_.take<geometry::FanLines>(1);
+  for (int first = 0; first < beam.lanes; first += width) {
+    Beam some = apart;
+    some.lanes = std::min(width, beam.lanes - first);
+    some.channel += first;
+    some.slot += first;
+    some.throughput += first;
+    for (int k = 0; k < some.lanes; ++k) {
+      auto const at = static_cast<std::size_t>(k);
+      lines->origin.set(at, frame.hit.point);
+      lines->origin_error.set(at, frame.hit.point_error);
+      lines->direction.set(
+          at, optics::refracted(face.per_lane[first + k], ray.line.direction, face.normal));
+    }
+    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, some,
+                counts_.monochromatic);
+  }
+}
+
+void Tracer::split_faithfully(PathRay const& ray, Beam const& beam, Frame& frame,
+                              LaneInterface const& face, InsideNode const* after) {
+  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
   bool const first = !beam.monochromatic() && beam.lanes == stage_.channels;
   for (int k = 0; k < beam.lanes; ++k) {
-    if (!(beam.throughput[k] > stage_.adc_bailout)) {
-      Beam ended = beam;
-      ended.channel += k;
-      ended.slot += k;
-      ended.throughput += k;
-      cut(ended, 1);
+    Beam lane = one_lane(beam, k);
+    if (!(lane.throughput[0] > stage_.adc_bailout)) {
+      cut(lane, 1);
       continue;
     }
     Arena::Scope const scope(arena_);
-    // One lane of the beam, on the film where its kind of wavelength is added up.
-    Beam lane = beam;
-    lane.lanes = 1;
-    lane.channel += k;
-    lane.slot += k;
-    lane.throughput += k;
     lane.wave = face.split_wave;
-    lane.wave_band = beam.channel[k];
     lane.locked = true;
-    if (governing.jitter >= 0) {
-      bool const faithful = stage_.jitters[static_cast<std::size_t>(governing.jitter)].faithful;
-      lane = faithful && first ? doubled(lane, governing.jitter) : jittered(lane, governing.jitter);
-    }
+    if (first) lane = doubled(lane, governing.jitter);
     PathRay const next{{frame.hit.point,
                         optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
                         frame.hit.point_error},

@@ -25,6 +25,8 @@ public:
     return kernels::cube(line);
   }
   bool visible(std::uint32_t) const { return true; }
+  bool ends_visible() const override { return true; }
+  bool flat(std::uint32_t) const override { return true; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;

@@ -30,6 +30,8 @@ public:
     return kernels::cone(line, L(middle_), L(rate_));
   }
   bool visible(std::uint32_t face) const { return !open_ || face == 0; }
+  bool ends_visible() const override { return !open_; }
+  bool flat(std::uint32_t face) const override { return face != 0; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;

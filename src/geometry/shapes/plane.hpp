@@ -29,6 +29,8 @@ public:
                                L(0.0));
   }
   bool visible(std::uint32_t) const { return true; }
+  bool ends_visible() const override { return true; }
+  bool flat(std::uint32_t) const override { return true; }
   bool inside(Vec3 const& point) const override { return glm::dot(normal_, point) <= 0; }
   Vec3 normal(Vec3 const&, std::uint32_t) const override { return normal_; }
   Bounds bounds() const override;

@@ -2,6 +2,7 @@
 #include "geometry/shapes/prism.hpp"
 
 #include "geometry/kernels.hpp"
+#include "geometry/shapes/convex_prism.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -170,6 +171,9 @@ std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, doub
   Transform const placement =
       Transform::scaling({1, half, 1})
           .then(Transform::rounded_translation({middle.x, y1 * 0.5 + y2 * 0.5, middle.y}, 1));
+  if (contours.size() == 1 && ConvexPrism::is_convex(contours.front())) {
+    return PlacedShape{std::make_shared<ConvexPrism>(contours.front(), open), placement};
+  }
   return PlacedShape{std::make_shared<Prism>(contours, open), placement};
 }
 

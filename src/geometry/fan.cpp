@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/fan.hpp"
+
+#include "geometry/fan_probe.hpp"
+#include "geometry/world_impl.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe::geometry {
+
+void FanLines::copy(std::size_t to, FanLines const& from, std::size_t k) {
+  origin.set(to, from.origin.get(k));
+  direction.set(to, from.direction.get(k));
+  origin_error.set(to, from.origin_error.get(k));
+}
+
+void FanLines::fill() {
+  for (std::size_t k = count; k % 4 != 0; ++k) copy(k, *this, count - 1);
+}
+
+void FanHits::copy(std::size_t to, FanHits const& from, std::size_t k) {
+  hit[to] = from.hit[k];
+  t[to] = from.t[k];
+  error[to] = from.error[k];
+  point.set(to, from.point.get(k));
+  point_error.set(to, from.point_error.get(k));
+}
+
+void FanHits::write(std::size_t k, HitGroup& out) const {
+  out.clear();
+  out.t = t[k];
+  out.error = error[k];
+  out.point = point.get(k);
+  out.point_error = point_error.get(k);
+  FanHit const& h = hit[k];
+  out.crossings.push_back({h.solid, h.primitive, h.face, t[k], h.entering, h.toggles});
+  out.members.push_back({h.primitive, h.face, h.was_entering});
+}
+
+/// The rays' nearest crossings so far. What is kept of the surface is the number of its proposal.
+struct World::Impl::Nearest {
+  alignas(32) double t[fan_width], begin[fan_width], end[fan_width], error[fan_width];
+  alignas(32) double next[fan_width]; ///< where the first of the other crossings may begin
+  alignas(32) double face[fan_width], entering[fan_width], proposal[fan_width];
+
+  alignas(32) double until[fan_width];
+
+  Nearest(std::size_t count, double const* t_max) {
+    for (std::size_t k = 0; k < (count + 3) / 4 * 4; ++k) {
+      until[k] = t_max == nullptr ? everywhere : t_max[std::min(k, count - 1)];
+      t[k] = begin[k] = next[k] = everywhere;
+      end[k] = until[k];
+      error[k] = face[k] = entering[k] = 0;
+      proposal[k] = -1;
+    }
+  }
+  double farthest(std::size_t count) const { return *std::max_element(end, end + count); }
+};
+
+namespace {
+
+using Nearest = World::Impl::Nearest;
+
+struct Query {
+  FanLines const& rays;
+  Departure const* from;
+  Scratch& scratch;
+  Nearest& nearest;
+  std::vector<FanProposal>& proposals;
+};
+
+/// A crossing that begins before the nearest's interval ends takes its place, or crowds it.
+template <class L, class M>
+void propose(Nearest& nearest, std::size_t at, M const& valid, L const& t, L const& error,
+             L const& face, L const& entering, double number) {
+  using lane::load, lane::select, lane::store;
+  L const begin = t - error, best_t = load<L>(nearest.t + at);
+  auto const counts = lane::both(lane::both(valid, t < load<L>(nearest.until + at)),
+                                 begin <= load<L>(nearest.end + at));
+  if (lane::none(counts)) return;
+  auto const nearer = lane::both(counts, t < best_t);
+  L const old_begin = load<L>(nearest.begin + at), next = load<L>(nearest.next + at);
+  L const crowding = lane::min(next, select(nearer, old_begin, begin));
+  store(nearest.next + at, select(counts, crowding, next));
+  auto const keep = [&](double* to, L const& value) {
+    store(to + at, select(nearer, value, load<L>(to + at)));
+  };
+  keep(nearest.t, t);
+  keep(nearest.begin, begin);
+  keep(nearest.end, t + error);
+  keep(nearest.error, error);
+  keep(nearest.face, face);
+  keep(nearest.entering, entering);
+  keep(nearest.proposal, L(number));
+}
+
+template <class L>
+void impose_lanes(Start const& start, Slice<L>& slice) {
+  L const zero(0.0), face(start.face), beside(just_after);
+  auto const empty = lane::negate(slice.in.t <= slice.out.t);
+  if (start.to_inside) {
+    slice.in.t = zero;
+    slice.in_face = face;
+    slice.out.t = lane::select(empty, beside, lane::max(slice.out.t, beside));
+  } else {
+    slice.out.t = zero;
+    slice.out_face = face;
+    slice.in.t = lane::select(empty, -beside, lane::min(slice.in.t, -beside));
+  }
+}
+
+/// A convex shape that is a solid by itself: its first end after the start.
+template <class L>
+void propose_convex(Query const& query, Placed const& placed, FourSlices const& shape,
+                    Start const* start, double number) {
+  L const zero(0.0), one(1.0), far(infinity);
+  FanLines const& rays = query.rays;
+  for (std::size_t at = 0; at < rays.count; at += 4) {
+    auto const vec = [&](FanVectors const& v) {
+      return lane::Vec<L>{lane::load<L>(v.x + at), lane::load<L>(v.y + at),
+                          lane::load<L>(v.z + at)};
+    };
+    Slice<L> slice;
+    shape.slices(placed.line<L>(vec(rays.origin), vec(rays.direction), vec(rays.origin_error)),
+                 slice);
+    if (start != nullptr) impose_lanes(*start, slice);
+    auto const crossed = slice.in.t < slice.out.t;
+    auto const ahead = [&](Root<L> const& root) {
+      auto const after = lane::both(zero < root.t, root.t < far);
+      if (start != nullptr || query.from == nullptr) return after;
+      return lane::both(after, lane::negate(root.t <= root.error + root.slack));
+    };
+    auto const enters = lane::both(crossed, ahead(slice.in));
+    auto const valid = lane::either(enters, lane::both(crossed, ahead(slice.out)));
+    if (lane::none(valid)) continue;
+    Root<L> const root = select(enters, slice.in, slice.out);
+    propose<L>(query.nearest, at, valid, root.t, root.error,
+               lane::select(enters, slice.in_face, slice.out_face), lane::select(enters, one, zero),
+               number);
+  }
+}
+
+void propose_any(Query const& query, World::Impl const& world, SolidId id) {
+  for (std::size_t k = 0; k < query.rays.count; ++k) {
+    double const& end = query.nearest.end[k];
+    Ray const ray = query.rays.get(k);
+    world.solids[id].passages(
+        world.query(id, ray, query.from, query.scratch, end), false,
+        [&](TracedSolid::Passage const& passage) {
+          SurfaceCrossing const& crossing = passage.crossing;
+          if (crossing.t - passage.error > end) return false;
+          if (!passage.visible) return true;
+          bool const was_entering = query.scratch.events[passage.first].entering;
+          query.proposals.push_back({id, crossing.primitive, crossing.entering != was_entering,
+                                     passage.last - passage.first == 1, crossing.toggles});
+          propose<double>(query.nearest, k, true, crossing.t, passage.error, crossing.face,
+                          was_entering ? 1.0 : 0.0,
+                          static_cast<double>(query.proposals.size() - 1));
+          return false;
+        });
+  }
+}
+
+/// The points, as settle() of world.cpp computes them, and what is known of the surfaces.
+void write_hits(FanLines const& rays, Nearest const& nearest,
+                std::vector<FanProposal> const& proposals, FanHits& out) {
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    FanHit& hit = out.hit[k];
+    hit = {};
+    if (nearest.proposal[k] < 0) continue;
+    FanProposal const& proposal = proposals[static_cast<std::size_t>(nearest.proposal[k])];
+    // Crossings of other solids within the error of the nearest make a group.
+    bool const single = proposal.alone && !(nearest.next[k] <= nearest.end[k]);
+    if (!single) {
+      hit.kind = FanHit::Kind::Unclear;
+      continue;
+    }
+    hit.kind = FanHit::Kind::Single;
+    hit.was_entering = nearest.entering[k] != 0;
+    hit.entering = hit.was_entering != proposal.inverse;
+    hit.toggles = proposal.toggles;
+    hit.solid = proposal.solid;
+    hit.primitive = proposal.primitive;
+    hit.face = static_cast<std::uint32_t>(nearest.face[k]);
+    out.t[k] = nearest.t[k];
+    out.error[k] = nearest.error[k];
+    Vec3 const direction = rays.direction.get(k);
+    Vec3 const step = out.t[k] * direction, point = rays.origin.get(k) + step;
+    out.point.set(k, point);
+    out.point_error.set(k, glm::abs(direction) * out.error[k]
+                               + gamma_bound(2) * (glm::abs(step) + glm::abs(point)));
+  }
+}
+
+using ConvexProposer = void (*)(Query const&, Placed const&, FourSlices const&, Start const*,
+                                double);
+#if ABBE_HAS_WIDE_LANES
+ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
+                                       FourSlices const& shape, Start const* start, double number) {
+  propose_convex<lane::Wide4>(query, placed, shape, start, number);
+}
+ConvexProposer const convex_proposer =
+    __builtin_cpu_supports("avx2") ? propose_convex_wide : propose_convex<lane::Double4>;
+#else
+ConvexProposer const convex_proposer = propose_convex<lane::Double4>;
+#endif
+
+} // namespace
+
+void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                           Scratch& scratch, Nearest& nearest) const {
+  prepare(scratch);
+  scratch.proposals.clear();
+  Query const query{rays, from, scratch, nearest, scratch.proposals};
+  double farthest = nearest.farthest(rays.count);
+  each_solid(FanProbe(rays), mask, 0.0, farthest, [&](SolidId id) {
+    TracedSolid const& solid = solids[id];
+    if ((solid.mask() & mask) == 0) return true;
+    FourSlices const* const shape = solid.has_program() ? nullptr : four_slices[solid.only()];
+    if (shape != nullptr && shape->ends_visible()) {
+      Start start;
+      bool const starts = find_start(from, solid.only(), start);
+      query.proposals.push_back({id, solid.only(), solid.inverse(), true, true});
+      convex_proposer(query, primitives[solid.only()], *shape, starts ? &start : nullptr,
+                      static_cast<double>(query.proposals.size() - 1));
+    } else {
+      propose_any(query, *this, id);
+    }
+    farthest = nearest.farthest(rays.count);
+    return true;
+  });
+}
+
+void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                        double const* t_max, Scratch& scratch, FanHits& hits) const {
+  Impl::Nearest nearest(rays.count, t_max);
+  impl_->find_fan(rays, from, mask, scratch, nearest);
+  write_hits(rays, nearest, scratch.proposals, hits);
+  if (!impl_->contacts.any()) return;
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    FanHit& hit = hits.hit[k];
+    bool const leaves = hit.kind == FanHit::Kind::Single && !hit.entering && hit.toggles;
+    if (leaves && impl_->contacts.reach(hit.solid) > 0) hit.kind = FanHit::Kind::Unclear;
+  }
+}
+
+void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                         double const* t_max, Scratch& scratch, bool* blocked, bool* clear) const {
+  Impl::Nearest nearest(rays.count, t_max);
+  impl_->find_fan(rays, from, mask, scratch, nearest);
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    clear[k] = nearest.proposal[k] < 0;
+    blocked[k] = !clear[k] && nearest.end[k] < t_max[k];
+  }
+}
+
+bool World::flat(PrimitiveId id, std::uint32_t face) const {
+  FourSlices const* const shape = impl_->four_slices[id];
+  return shape != nullptr && shape->flat(face);
+}
+
+} // namespace abbe::geometry

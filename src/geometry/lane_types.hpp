@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/vec.hpp"
+
+#include <cmath>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+/// The lane types of the kernels (lane.hpp): one double, and four side by side. A kernel is written
+/// once as a template over the lane type L and uses only the operators + - * / < <= and the
+/// functions below, so that four lanes give the same bits as four calls with doubles. There are no
+/// branches on values in a kernel but those on none(): use select().
+namespace abbe::geometry::lane {
+
+inline bool both(bool a, bool b) {
+  return a && b;
+}
+inline bool either(bool a, bool b) {
+  return a || b;
+}
+inline bool negate(bool a) {
+  return !a;
+}
+/// Is the mask false in every lane? The one thing to branch on: to leave out what no lane selects.
+inline bool none(bool a) {
+  return !a;
+}
+inline double select(bool mask, double a, double b) {
+  return mask ? a : b;
+}
+inline double sqrt(double a) {
+  return std::sqrt(a);
+}
+inline double abs(double a) {
+  return std::fabs(a);
+}
+inline double get(double a, int) {
+  return a;
+}
+
+/// Four doubles in two SSE2 registers (the part of x86-64 that every machine has).
+struct Mask4;
+struct Double4 {
+  using Half = double __attribute__((vector_size(16)));
+  Half low, high;
+
+  Double4() = default;
+  Double4(double all) : low{all, all}, high{all, all} {}
+  Double4(Half a, Half b) : low(a), high(b) {}
+  Double4(double a, double b, double c, double d) : low{a, b}, high{c, d} {}
+  friend Double4 operator+(Double4 const& a, Double4 const& b) {
+    return {a.low + b.low, a.high + b.high};
+  }
+  friend Double4 operator-(Double4 const& a, Double4 const& b) {
+    return {a.low - b.low, a.high - b.high};
+  }
+  friend Double4 operator*(Double4 const& a, Double4 const& b) {
+    return {a.low * b.low, a.high * b.high};
+  }
+  friend Double4 operator/(Double4 const& a, Double4 const& b) {
+    return {a.low / b.low, a.high / b.high};
+  }
+  friend Double4 operator-(Double4 const& a) { return {-a.low, -a.high}; }
+};
+struct Mask4 {
+  using Half = decltype(Double4::Half{} < Double4::Half{});
+  Half low, high;
+};
+inline Mask4 operator<(Double4 const& a, Double4 const& b) {
+  return {a.low < b.low, a.high < b.high};
+}
+inline Mask4 operator<=(Double4 const& a, Double4 const& b) {
+  return {a.low <= b.low, a.high <= b.high};
+}
+inline Mask4 operator==(Double4 const& a, Double4 const& b) {
+  return {a.low == b.low, a.high == b.high};
+}
+inline Mask4 operator>(Double4 const& a, Double4 const& b) {
+  return b < a;
+}
+inline Mask4 operator>=(Double4 const& a, Double4 const& b) {
+  return b <= a;
+}
+inline Mask4 both(Mask4 const& a, Mask4 const& b) {
+  return {a.low & b.low, a.high & b.high};
+}
+inline Mask4 either(Mask4 const& a, Mask4 const& b) {
+  return {a.low | b.low, a.high | b.high};
+}
+inline Mask4 negate(Mask4 const& a) {
+  return {~a.low, ~a.high};
+}
+/// The words of optics/lane.hpp for the same.
+inline Mask4 operator&(Mask4 const& a, Mask4 const& b) {
+  return both(a, b);
+}
+inline Mask4 operator|(Mask4 const& a, Mask4 const& b) {
+  return either(a, b);
+}
+inline Mask4 operator!(Mask4 const& a) {
+  return negate(a);
+}
+inline bool none(Mask4 const& a) {
+  auto const both_halves = a.low | a.high;
+  return (both_halves[0] | both_halves[1]) == 0;
+}
+inline Double4 select(Mask4 const& mask, Double4 const& a, Double4 const& b) {
+  return {mask.low ? a.low : b.low, mask.high ? a.high : b.high};
+}
+inline Double4 sqrt(Double4 const& a) {
+#if defined(__SSE2__)
+  return {_mm_sqrt_pd(a.low), _mm_sqrt_pd(a.high)};
+#else
+  return {std::sqrt(a.low[0]), std::sqrt(a.low[1]), std::sqrt(a.high[0]), std::sqrt(a.high[1])};
+#endif
+}
+/// From and to memory, in order.
+template <class L>
+L load(double const* from);
+template <>
+inline double load<double>(double const* from) {
+  return *from;
+}
+template <>
+inline Double4 load<Double4>(double const* from) {
+  return {from[0], from[1], from[2], from[3]};
+}
+inline void store(double* to, double a) {
+  *to = a;
+}
+inline void store(double* to, Double4 const& a) {
+  to[0] = a.low[0];
+  to[1] = a.low[1];
+  to[2] = a.high[0];
+  to[3] = a.high[1];
+}
+inline Double4 abs(Double4 const& a) {
+  return select(a < Double4(0.0), -a, a + 0.0);
+}
+inline double get(Double4 const& a, int i) {
+  return i < 2 ? a.low[i] : a.high[i - 2];
+}
+
+} // namespace abbe::geometry::lane

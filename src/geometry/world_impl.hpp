@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/contact.hpp"
+#include "geometry/shapes/convex.hpp"
+#include "geometry/traced_solid.hpp"
+
+#include <atomic>
+
+/// What a World keeps; for world.cpp and fan.cpp alone.
+namespace abbe::geometry {
+
+struct World::Impl {
+  std::uint64_t number = next_number();
+  std::vector<Placed> primitives;
+  std::vector<TracedSolid> solids;
+  /// By primitive: its shape where it takes four lines at once; else null.
+  std::vector<FourSlices const*> four_slices;
+  std::vector<std::uint32_t> state_of; ///< solid -> place in Scratch::states
+  std::uint32_t states = 0;
+  /// The solids with a bit of a mask, by place.
+  struct Group {
+    std::uint8_t mask = 0xff;
+    std::vector<SolidId> infinite;
+    std::vector<SolidId> finite; ///< item of bvh -> solid
+    Bvh bvh;
+  };
+  Group all;
+  std::vector<Group> some; ///< those of bits that at most half of the solids have
+
+  Group make_group(std::uint8_t mask) const {
+    Group group;
+    group.mask = mask;
+    std::vector<BvhBox> boxes;
+    for (SolidId id = 0; id < solids.size(); ++id) {
+      Bounds const& bounds = solids[id].bounds();
+      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
+      if (bounds.infinite) {
+        group.infinite.push_back(id);
+      } else if (!bounds.empty()) {
+        boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(group.finite.size())});
+        group.finite.push_back(id);
+      }
+    }
+    group.bvh = Bvh(std::move(boxes));
+    return group;
+  }
+  Group const& group(std::uint8_t mask) const {
+    for (Group const& few : some) {
+      if ((mask & ~few.mask) == 0) return few;
+    }
+    return all;
+  }
+  Contacts contacts; ///< by solid
+
+  bool first_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                   Scratch& scratch, HitGroup& out) const;
+  void join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
+                    HitGroup& out) const;
+  struct Nearest; ///< of fan.cpp
+  void find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask, Scratch& scratch,
+                Nearest& nearest) const;
+  /// Tells one world's scratch from another's, nothing more.
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+  }
+  void prepare(Scratch& scratch) const {
+    if (scratch.owner == number) return;
+    scratch.states.assign(states, {});
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      if (solids[i].has_program()) scratch.states[state_of[i]] = solids[i].program()->outside();
+    }
+    scratch.owner = number;
+  }
+  TracedSolid::Query query(SolidId id, Ray const& ray, Departure const* from, Scratch& scratch,
+                           double const& until = everywhere) const {
+    CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
+    return {primitives, ray, from, scratch, state, until};
+  }
+  /// visit(solid) for those that what `probe` stands for may meet in [low, high], with a bit of
+  /// `mask` and perhaps others; false stops.
+  template <class Probe, class Visit>
+  void each_solid(Probe const& probe, std::uint8_t mask, double low, double const& high,
+                  Visit&& visit) const {
+    Group const& group = this->group(mask);
+    bool goes_on = true;
+    walk(std::span<BvhNode const>(group.bvh.nodes()),
+         std::span<std::uint32_t const>(group.bvh.items()), probe, low, high,
+         [&](std::uint32_t item) {
+           goes_on = visit(group.finite[item]);
+           return goes_on;
+         });
+    for (std::size_t i = 0; goes_on && i < group.infinite.size(); ++i) {
+      goes_on = visit(group.infinite[i]);
+    }
+  }
+};
+
+} // namespace abbe::geometry

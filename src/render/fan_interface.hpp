@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/fan.hpp"
+
+namespace abbe::render {
+
+/// Fresnel and Snell where the rays of a fan meet one surface: LaneInterface for each ray.
+struct FanInterface {
+  geometry::FanVectors normal; ///< unit; made to face the rays
+  alignas(32) double n1[geometry::fan_width], n2[geometry::fan_width]; ///< given
+
+  alignas(32) double cos_i[geometry::fan_width];
+  alignas(32) double reflectance[geometry::fan_width], transmittance[geometry::fan_width];
+  alignas(32) double total[geometry::fan_width]; ///< 1 at total reflection, else 0
+  alignas(
+      32) double below[geometry::fan_width]; ///< of `mirrored` along the normal: < 0 by rounding
+  geometry::FanVectors mirrored, refracted;  ///< directions; refracted where not total
+};
+
+/// Fills in what is not given, with the bits of the scalar path. Whole lanes of four.
+void meet_fan(geometry::FanVectors const& direction, std::size_t count, FanInterface& face);
+
+} // namespace abbe::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "render/fan_shadows.hpp"
+
+#include "render/shader.hpp"
+
+#include <algorithm>
+
+namespace abbe::render {
+
+FanShadows::FanShadows(Tracer& tracer, FanRay const& fan, geometry::FanHits const& hits,
+                       geometry::FanVectors const& normals, InsideNode const* after,
+                       Tracer::Frame& frame)
+    : tracer_(tracer),
+      fan_(fan),
+      hits_(hits),
+      normals_(normals),
+      after_(after),
+      frame_(frame),
+      ways_(tracer.arena_.take<Ways>(tracer.stage_.lights.size())) {
+  for (std::size_t i = 0; i < tracer.stage_.lights.size(); ++i) ways_[i].known = false;
+}
+
+FanShadows::Way FanShadows::way(CompiledLight const& light, std::size_t lane) {
+  Ways& ways = ways_[&light - tracer_.stage_.lights.data()];
+  if (!ways.known) find(light, ways);
+  return ways.way[lane];
+}
+
+void FanShadows::find(CompiledLight const& light, Ways& out) {
+  out.known = true;
+  std::size_t const n = fan_.lines->count;
+  std::fill_n(out.way, n, Way::Unknown);
+  Arena::Scope const scope(tracer_.arena_);
+  auto* lines = tracer_.arena_.take<geometry::FanLines>(1);
+  auto* to_lamp = tracer_.arena_.take<double>(geometry::fan_width);
+  lines->count = n;
+  lines->origin = hits_.point;
+  lines->origin_error = hits_.point_error;
+  bool through = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    Vec3 direction;
+    if (!towards(light, hits_.point.get(k), direction, to_lamp[k])) return;
+    bool const beyond = glm::dot(normals_.get(k), direction) < 0;
+    if (k > 0 && beyond != through) return; // the lamp is in the surface's plane
+    through = beyond;
+    lines->direction.set(k, direction);
+  }
+  lines->fill();
+  frame_.shadow.on = frame_.hit.members;
+  frame_.shadow.through = through;
+  Stage const& stage = tracer_.stage_;
+  InsideNode const* const inside = through ? after_ : fan_.inside;
+  bool blocked[geometry::fan_width], clear[geometry::fan_width];
+  stage.world->occluded_fan(*lines, &frame_.shadow, opaque_shadow_bit, to_lamp, *tracer_.scratch_,
+                            blocked, clear);
+  if (stage.has_filter_shadows) {
+    auto* hits = tracer_.arena_.take<geometry::FanHits>(1);
+    stage.world->closest_fan(*lines, &frame_.shadow, filter_shadow_bit, to_lamp, *tracer_.scratch_,
+                             *hits);
+    for (std::size_t k = 0; k < n; ++k)
+      clear[k] = clear[k] && !inside && hits->hit[k].kind == geometry::FanHit::Kind::Nothing;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (blocked[k]) out.way[k] = Way::Blocked;
+    if (clear[k]) out.way[k] = Way::Free;
+  }
+}
+
+} // namespace abbe::render

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/fan.hpp"
+
+#include "base/random.hpp"
+#include "geometry/shapes/box.hpp"
+#include "geometry/shapes/cone.hpp"
+#include "geometry/shapes/cylinder.hpp"
+#include "geometry/shapes/disc.hpp"
+#include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/prism.hpp"
+#include "geometry/shapes/sphere.hpp"
+#include "geometry/shapes/torus.hpp"
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace abbe::geometry::test {
+namespace {
+
+/// Every convex shape, others, boolean solids, touching ones, and all of them turned.
+World mixed_world() {
+  std::vector<PlacedShape> shapes{
+      *make_plane({0, 1, 0}, -1.5),
+      *make_box({-3, -1, 2}, {-1, 1, 4}),
+      *make_sphere({1.5, 0, 3}, 1),
+      *make_cylinder({3, -1, 3}, {4, 1.2, 4}, 0.6, false),
+      *make_cylinder({-4, -1, 6}, {-4, 1.2, 6}, 0.9, true),
+      *make_cone({0, -1, 6}, 1, {0.4, 1.5, 6}, 0.2, false),
+      *make_prism({{{-1, 0}, {1, 0}, {0, 1.5}}}, -1, 1, false),
+      *make_prism({{{0, 0}, {2, 0}, {2, 1}, {1, .3}, {0, 1}}}, 0, 1, false),
+      *make_torus(1, 0.3),
+      *make_disc({0, 2, 8}, {0.2, 0.1, -1}, 2, 0.5),
+      *make_box({-1, -1, 2}, {0, 1, 4}),
+      *make_box({5, -1, 2}, {7, 1, 4}),
+      *make_sphere({6, 0.5, 2}, 0.8)};
+  Transform const turned =
+      Transform::rotation({17, 31, 9}).then(Transform::translation({0.3, 0.2, 5}));
+  shapes[6].placement = shapes[6].placement.then(turned);
+  shapes[8].placement = shapes[8].placement.then(turned).then(Transform::translation({-3, 0, 3}));
+  shapes[7].placement = shapes[7].placement.then(Transform::scaling({1, 2, 0.5}));
+  std::vector<World::Solid> solids;
+  for (PrimitiveId id = 0; id <= 10; ++id) solids.push_back({leaf(id)});
+  solids.push_back({node(Op::Difference, {leaf(11), leaf(12)})});
+  return World(shapes, solids);
+}
+
+class FanTest : public ::testing::Test {
+protected:
+  FanTest() : world_(mixed_world()), scratch_(World::make_scratch()) {}
+
+  double uniform() { return RandomKey(7).child(++drawn_).uniform(0); }
+  Vec3 vector(double size) {
+    double const x = uniform(), y = uniform(), z = uniform();
+    return size * (2.0 * Vec3(x, y, z) - Vec3(1));
+  }
+
+  /// Asks for the rays together and one by one. @return rays whose answer was Single
+  int compare(FanLines& lines, Departure const* from) {
+    lines.fill();
+    FanHits hits;
+    world_.closest_fan(lines, from, 0xff, nullptr, *scratch_, hits);
+    compare_occlusion(lines, from);
+    int single = 0;
+    for (std::size_t k = 0; k < lines.count; ++k) {
+      HitGroup alone, together;
+      bool const found = world_.closest(lines.get(k), from, 0xff, infinity, *scratch_, alone);
+      FanHit const& hit = hits.hit[k];
+      if (hit.kind == FanHit::Kind::Unclear) {
+        EXPECT_TRUE(found);
+        continue;
+      }
+      EXPECT_EQ(found, hit.kind == FanHit::Kind::Single);
+      if (!found || hit.kind != FanHit::Kind::Single) continue;
+      hits.write(k, together);
+      EXPECT_EQ(alone.t, together.t);
+      EXPECT_EQ(alone.error, together.error);
+      EXPECT_EQ(alone.point, together.point);
+      EXPECT_EQ(alone.point_error, together.point_error);
+      EXPECT_EQ(alone.crossings.size(), 1U);
+      EXPECT_EQ(alone.members.size(), 1U);
+      SurfaceCrossing const &a = alone.crossings[0], &b = together.crossings[0];
+      EXPECT_EQ(a.solid, b.solid);
+      EXPECT_EQ(a.primitive, b.primitive);
+      EXPECT_EQ(a.face, b.face);
+      EXPECT_EQ(a.entering, b.entering);
+      EXPECT_EQ(a.toggles, b.toggles);
+      EXPECT_EQ(alone.members[0].was_entering, together.members[0].was_entering);
+      ++single;
+    }
+    return single;
+  }
+
+  void compare_occlusion(FanLines const& lines, Departure const* from) {
+    double t_max[fan_width];
+    bool blocked[fan_width], clear[fan_width];
+    for (double& t : t_max) t = 20 * uniform();
+    world_.occluded_fan(lines, from, 0xff, t_max, *scratch_, blocked, clear);
+    for (std::size_t k = 0; k < lines.count; ++k) {
+      EXPECT_FALSE(blocked[k] && clear[k]);
+      if (!blocked[k] && !clear[k]) continue;
+      EXPECT_EQ(blocked[k], world_.occluded(lines.get(k), from, 0xff, t_max[k], *scratch_));
+    }
+  }
+
+  World world_;
+  ScratchPtr scratch_;
+  std::uint64_t drawn_ = 0;
+};
+
+TEST_F(FanTest, EachRayMeetsWhatItMeetsAlone) {
+  int single = 0, rays = 0;
+  for (int i = 0; i < 2000; ++i) {
+    FanLines lines;
+    lines.count = 1 + static_cast<std::size_t>(uniform() * fan_width);
+    Vec3 const origin = Vec3(0, 0.5, -6) + vector(1), to = Vec3(0, 0, 4) + vector(5);
+    double const spread = std::pow(10.0, -8 * uniform());
+    for (std::size_t k = 0; k < lines.count; ++k) {
+      lines.origin.set(k, origin);
+      lines.direction.set(k, glm::normalize(to - origin + vector(spread)));
+      lines.origin_error.set(k, Vec3(0));
+    }
+    rays += static_cast<int>(lines.count);
+    single += compare(lines, nullptr);
+    // From where the first one hits, to either side, with origins that have drifted apart.
+    HitGroup hit;
+    if (!world_.closest(lines.get(0), nullptr, 0xff, infinity, *scratch_, hit)) continue;
+    Departure const from = leave(hit, i % 2 == 0);
+    Vec3 const normal =
+        world_.geometric_normal(hit.crossings[0].primitive, hit.crossings[0].face, hit.point);
+    bool const to_inside = hit.members[0].was_entering == from.through;
+    for (std::size_t k = 0; k < lines.count; ++k) {
+      Vec3 d = glm::normalize(lines.direction.get(0) + vector(spread));
+      if ((glm::dot(d, normal) < 0) != to_inside) d = -d;
+      lines.origin.set(k, hit.point);
+      lines.direction.set(k, d);
+      lines.origin_error.set(k, hit.point_error);
+    }
+    compare(lines, &from);
+  }
+  // The comparison says something: most rays meet one clear surface.
+  EXPECT_GT(single, rays / 2);
+}
+
+} // namespace
+} // namespace abbe::geometry::test
