@@ -129,13 +129,13 @@ void propose_convex(Query const& query, Placed const& placed, FourSlices const& 
     auto const ahead = [&](Root<L> const& root) {
       auto const after = lane::both(zero < root.t, root.t < far);
       if (start != nullptr || query.from == nullptr) return after;
-      return lane::both(after, lane::negate(root.t <= root.error + root.slack));
+      return lane::both(after, lane::negate(root.t <= root.error));
     };
     auto const enters = lane::both(crossed, ahead(slice.in));
     auto const valid = lane::either(enters, lane::both(crossed, ahead(slice.out)));
     if (lane::none(valid)) continue;
     Root<L> const root = select(enters, slice.in, slice.out);
-    propose<L>(query.nearest, at, valid, root.t, root.error,
+    propose<L>(query.nearest, at, valid, root.t, L(group_margin) * root.error,
                lane::select(enters, slice.in_face, slice.out_face), lane::select(enters, one, zero),
                number);
   }
