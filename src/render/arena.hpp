@@ -53,7 +53,7 @@ private:
   static constexpr std::size_t block_alignment = 64;
   struct Free {
     void operator()(std::byte* memory) const {
-      ::operator delete(memory, std::align_val_t{block_alignment});
+      ::operator delete (memory, std::align_val_t{block_alignment});
     }
   };
   struct Block {
@@ -62,7 +62,8 @@ private:
   };
   void grow(std::size_t bytes) {
     std::size_t const size = bytes > block_size ? bytes : block_size;
-    auto* memory = static_cast<std::byte*>(::operator new(size, std::align_val_t{block_alignment}));
+    auto* memory =
+        static_cast<std::byte*>(::operator new (size, std::align_val_t{block_alignment}));
     blocks_.push_back({std::unique_ptr<std::byte, Free>(memory), size});
   }
   static constexpr std::size_t block_size = std::size_t{1} << 18;
