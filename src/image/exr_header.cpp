@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/exr_header.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -48,7 +49,12 @@ struct Claims {
   std::array<std::int32_t, 4> window{0, 0, -1, -1};
   double bytes_per_pixel = 0;
   int compression = 0;
+  double tile_pixels = 0;
 };
+
+/// OpenEXR makes room for a whole tile even where the picture is smaller: of 2048 x 2048 at most,
+/// unless the length of the file can account for more.
+constexpr double largest_tile = 2048.0 * 2048.0;
 
 /// What follows the name of a channel.
 struct ChannelEntry {
@@ -125,6 +131,10 @@ void read_attributes(Cursor& in, Claims& claims) {
     in.go_to(start);
     if (name == "dataWindow" && type == "box2i")
       claims.window = in.value<decltype(claims.window)>();
+    if (name == "tiles" && type == "tiledesc") {
+      auto const width = in.value<std::uint32_t>(), height = in.value<std::uint32_t>();
+      claims.tile_pixels = static_cast<double>(width) * height;
+    }
     if (name == "compression") claims.compression = in.value<std::uint8_t>();
     if (type == "chlist") {
       Claims other;
@@ -159,6 +169,8 @@ Status check_exr_header(std::filesystem::path const& path, InputFile const& file
     double const most = static_cast<double>(file.size)
                         * best_ratio[static_cast<std::size_t>(claims.compression)]
                         / claims.bytes_per_pixel;
+    if (claims.tile_pixels > std::max(most, largest_tile))
+      return damaged(path, "its tiles are larger than the file can account for");
     Status const fits =
         check_size(path, std::int64_t{x1} - x0 + 1, std::int64_t{y1} - y0 + 1, most);
     if (!fits || !parts) return fits;
