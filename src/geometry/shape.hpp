@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/shape_ptr.hpp"
 #include "geometry/transform.hpp"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -103,7 +103,6 @@ public:
     crossings(ray, start, out);
   }
 };
-using ShapePtr = std::shared_ptr<Shape const>;
 
 /// A shape and where it stands: shapes are in canonical form (unit sphere, unit cube ...), what
 /// makes them this sphere or box is the placement.

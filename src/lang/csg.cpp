@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lang/attach.hpp"
 
+#include "geometry/shape.hpp"
+
 #include <fmt/format.h>
 
 namespace abbe::lang {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/evaluate.hpp"
 
+#include "geometry/shape.hpp"
 #include "optics/conductor.hpp"
 #include "optics/glass.hpp"
 #include "optics/spectrum.hpp"

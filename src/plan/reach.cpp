@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plan/reach.hpp"
 
+#include "geometry/shape.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/survey.hpp"
 
+#include "geometry/shape.hpp"
 #include "plan/contact.hpp"
 #include "plan/dispersion.hpp"
 #include "plan/reach.hpp"

@@ -3,7 +3,8 @@
 
 #include "base/source.hpp"
 #include "base/vec.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shape_ptr.hpp"
+#include "geometry/transform.hpp"
 #include "scene/effects.hpp"
 #include "texture/pattern.hpp"
 
