@@ -2,6 +2,7 @@
 #include "geometry/fan.hpp"
 
 #include "geometry/fan_probe.hpp"
+#include "geometry/first_end.hpp"
 #include "geometry/world_impl.hpp"
 
 #include <algorithm>
@@ -95,49 +96,23 @@ void propose(Nearest& nearest, std::size_t at, M const& valid, L const& t, L con
   keep(nearest.proposal, L(number));
 }
 
-template <class L>
-void impose_lanes(Start const& start, Slice<L>& slice) {
-  L const zero(0.0), face(start.face), beside(just_after);
-  auto const empty = lane::negate(slice.in.t <= slice.out.t);
-  if (start.to_inside) {
-    slice.in.t = zero;
-    slice.in_face = face;
-    slice.out.t = lane::select(empty, beside, lane::max(slice.out.t, beside));
-  } else {
-    slice.out.t = zero;
-    slice.out_face = face;
-    slice.in.t = lane::select(empty, -beside, lane::min(slice.in.t, -beside));
-  }
-}
-
 /// A convex shape that is a solid by itself: its first end after the start.
 template <class L>
-void propose_convex(Query const& query, Placed const& placed, FourSlices const& shape,
+void propose_convex(Query const& query, Placed const& placed, EndsKernel const& shape,
                     Start const* start, double number) {
-  L const zero(0.0), one(1.0), far(infinity);
+  L const zero(0.0), one(1.0);
   FanLines const& rays = query.rays;
   for (std::size_t at = 0; at < rays.count; at += 4) {
     auto const vec = [&](FanVectors const& v) {
       return lane::Vec<L>{lane::load<L>(v.x + at), lane::load<L>(v.y + at),
                           lane::load<L>(v.z + at)};
     };
-    Slice<L> slice;
-    shape.slices(placed.line<L>(vec(rays.origin), vec(rays.direction), vec(rays.origin_error)),
-                 slice);
-    if (start != nullptr) impose_lanes(*start, slice);
-    auto const crossed = slice.in.t < slice.out.t;
-    auto const ahead = [&](Root<L> const& root) {
-      auto const after = lane::both(zero < root.t, root.t < far);
-      if (start != nullptr || query.from == nullptr) return after;
-      return lane::both(after, lane::negate(root.t <= root.error));
-    };
-    auto const enters = lane::both(crossed, ahead(slice.in));
-    auto const valid = lane::either(enters, lane::both(crossed, ahead(slice.out)));
-    if (lane::none(valid)) continue;
-    Root<L> const root = select(enters, slice.in, slice.out);
-    propose<L>(query.nearest, at, valid, root.t, L(group_margin) * root.error,
-               lane::select(enters, slice.in_face, slice.out_face), lane::select(enters, one, zero),
-               number);
+    Ends<L> ends;
+    shape.ends(placed.line<L>(vec(rays.origin), vec(rays.direction)), start, ends);
+    FirstEnd<L> const first = first_end(ends, start == nullptr && query.from != nullptr);
+    if (lane::none(first.valid)) continue;
+    propose<L>(query.nearest, at, first.valid, first.t, L(group_margin) * first.error, first.face,
+               lane::select(first.enters, one, zero), number);
   }
 }
 
@@ -162,7 +137,7 @@ void propose_any(Query const& query, World::Impl const& world, SolidId id) {
   }
 }
 
-/// The points, as settle() of world.cpp computes them, and what is known of the surfaces.
+/// The points and what is known of the surfaces.
 void write_hits(FanLines const& rays, Nearest const& nearest,
                 std::vector<FanProposal> const& proposals, FanHits& out) {
   for (std::size_t k = 0; k < rays.count; ++k) {
@@ -185,19 +160,19 @@ void write_hits(FanLines const& rays, Nearest const& nearest,
     hit.face = static_cast<std::uint32_t>(nearest.face[k]);
     out.t[k] = nearest.t[k];
     out.error[k] = nearest.error[k];
-    Vec3 const direction = rays.direction.get(k);
-    Vec3 const step = out.t[k] * direction, point = rays.origin.get(k) + step;
+    Vec3 point, point_error;
+    set_point(rays.origin.get(k), rays.direction.get(k), out.t[k], out.error[k], point,
+              point_error);
     out.point.set(k, point);
-    out.point_error.set(k, glm::abs(direction) * out.error[k]
-                               + gamma_bound(2) * (glm::abs(step) + glm::abs(point)));
+    out.point_error.set(k, point_error);
   }
 }
 
-using ConvexProposer = void (*)(Query const&, Placed const&, FourSlices const&, Start const*,
+using ConvexProposer = void (*)(Query const&, Placed const&, EndsKernel const&, Start const*,
                                 double);
 #if ABBE_HAS_WIDE_LANES
 ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
-                                       FourSlices const& shape, Start const* start, double number) {
+                                       EndsKernel const& shape, Start const* start, double number) {
   propose_convex<lane::Wide4>(query, placed, shape, start, number);
 }
 ConvexProposer const convex_proposer =
@@ -217,8 +192,7 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
   each_solid(FanProbe(rays), mask, 0.0, farthest, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
-    FourSlices const* const shape = solid.has_program() ? nullptr : four_slices[solid.only()];
-    if (shape != nullptr && shape->ends_visible()) {
+    if (EndsKernel const* const shape = solid.ends()) {
       Start start;
       bool const starts = find_start(from, solid.only(), start);
       query.proposals.push_back({id, solid.only(), solid.inverse(), true, true});
@@ -256,8 +230,7 @@ void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8
 }
 
 bool World::flat(PrimitiveId id, std::uint32_t face) const {
-  FourSlices const* const shape = impl_->four_slices[id];
-  return shape != nullptr && shape->flat(face);
+  return impl_->primitives[id].shape().flat(face);
 }
 
 } // namespace abbe::geometry

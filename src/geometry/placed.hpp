@@ -23,10 +23,9 @@ public:
   /// Of a normal of object space in the world: the direction, not of unit length.
   Vec3 to_world_normal(Vec3 const& n) const { return glm::transpose(inverse_linear_) * n; }
   Ray to_object(Ray const& world) const;
-  /// The same bits, for any lane type.
+  /// The same bits, for any lane type, without the slack.
   template <class L>
-  Line<L> line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
-               lane::Vec<L> const& origin_error) const;
+  Line<L> line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) const;
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
@@ -53,8 +52,7 @@ private:
 };
 
 template <class L>
-Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
-                     lane::Vec<L> const& origin_error) const {
+Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) const {
   Mat3 const& m = inverse_linear_;
   auto const vec = [](Vec3 const& v) { return lane::Vec<L>{L(v.x), L(v.y), L(v.z)}; };
   auto const each = [](lane::Vec<L> const& a, lane::Vec<L> const& b) {
@@ -66,8 +64,8 @@ Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
   if (along_axes_) {
     lane::Vec<L> const scale = vec({m[0][0], m[1][1], m[2][2]});
     lane::Vec<L> const size = vec({size_[0][0], size_[1][1], size_[2][2]});
-    return {each(scale, from_here), each(scale, direction), each(size, off), each(size, turned),
-            each(size, origin_error)};
+    return {
+        each(scale, from_here), each(scale, direction), each(size, off), each(size, turned), {}};
   }
   auto const times = [](Mat3 const& by, lane::Vec<L> const& v) {
     auto const row = [&](int i) {
@@ -75,8 +73,7 @@ Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction,
     };
     return lane::Vec<L>{row(0), row(1), row(2)};
   };
-  return {times(m, from_here), times(m, direction), times(size_, off), times(size_, turned),
-          times(size_, origin_error)};
+  return {times(m, from_here), times(m, direction), times(size_, off), times(size_, turned), {}};
 }
 
 } // namespace abbe::geometry

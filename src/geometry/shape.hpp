@@ -35,7 +35,8 @@ struct Ray {
 struct Crossing {
   double t = 0;
   double error = 0;       ///< bound of the rounding error of t, for the line as given
-  double slack = 0;       ///< how far t moves when the origin moves within its origin_error
+  double slack = 0;       ///< how far t moves when the origin moves within its origin_error; not of
+                          ///< convex shapes, which find a start without it
   std::uint32_t face = 0; ///< which face, triangle or sheet: for normals, textures and departures
   bool entering = false;  ///< the line goes from outside to inside (against the outward normal)
   bool toggles = true;    ///< inside and outside change here (false: a patch without an inside)
@@ -62,6 +63,8 @@ struct Bounds {
   bool empty() const { return !infinite && (low.x > high.x || low.y > high.y || low.z > high.z); }
 };
 
+class EndsKernel;
+
 class Shape {
 public:
   virtual ~Shape() = default;
@@ -79,6 +82,10 @@ public:
   virtual Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const {
     return normal(point, face);
   }
+  /// geometric_normal() is another than normal().
+  virtual bool smoothed() const { return false; }
+  /// The face has one normal, wherever the point.
+  virtual bool flat(std::uint32_t) const { return false; }
   virtual Bounds bounds() const = 0;
   /// Has an inside (everything but triangles and meshes without inside_vector).
   virtual bool solid() const { return true; }
@@ -92,6 +99,8 @@ public:
   virtual std::optional<Vec2> uv(Vec3 const&, std::uint32_t) const { return std::nullopt; }
   /// A line is inside along one interval or not at all, and crossings() gives its (finite) ends.
   virtual bool one_interval() const { return false; }
+  /// The shape as a kernel without lists (shapes/convex.hpp), where it is one.
+  virtual EndsKernel const* ends_kernel() const { return nullptr; }
   /// A line that keeps clear of this ball about the middle of bounds() has no crossings; "clear" by
   /// a share of 2^-44 of the radius and of the distance, which the kernel's roundings stay under.
   /// Infinite where there is no such ball.

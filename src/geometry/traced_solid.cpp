@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/traced_solid.hpp"
 
+#include "geometry/shapes/convex.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -108,7 +110,10 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
   if (source.tree.op == CsgTree::Op::Primitive) {
     only_ = source.tree.primitive;
     inverse_ = source.tree.inverse;
-    convex_ = primitives[only_].shape().one_interval();
+    Shape const& shape = primitives[only_].shape();
+    convex_ = shape.one_interval();
+    EndsKernel const* const ends = shape.ends_kernel();
+    if (ends != nullptr && ends->ends_visible()) ends_ = ends;
   } else {
     tree_ = make_tree(source.tree, primitives);
   }

@@ -38,6 +38,8 @@ public:
   CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
   /// Without a program: the one primitive, and whether its inside is taken for its outside.
   PrimitiveId only() const { return only_; }
+  /// Of the one primitive where it is a convex shape with both ends visible; else null.
+  EndsKernel const* ends() const { return ends_; }
   bool inverse() const { return inverse_; }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
@@ -111,6 +113,7 @@ private:
   bool inverse_ = false;
   bool convex_ = false; ///< of the one primitive: a line that leaves it does not come back
   std::unique_ptr<Tree const> tree_;
+  EndsKernel const* ends_ = nullptr;
   Bounds bounds_;
 };
 

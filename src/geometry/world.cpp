@@ -19,8 +19,6 @@ World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, dou
   impl.primitives.reserve(primitives.size());
   for (PlacedShape const& placed : primitives) impl.primitives.emplace_back(placed);
   primitives = {}; // a million of them are 400 MB
-  for (Placed const& placed : impl.primitives)
-    impl.four_slices.push_back(dynamic_cast<FourSlices const*>(&placed.shape()));
   impl.solids.reserve(solids.size());
   for (SolidId id = 0; id < solids.size(); ++id) {
     impl.solids.emplace_back(solids[id], impl.primitives, id);
@@ -82,10 +80,7 @@ void settle(Ray const& ray, Scratch& scratch, std::size_t nearest, HitGroup& out
     auto const first = scratch.members.begin() + c.first_member;
     out.members.insert(out.members.end(), first, first + c.members);
   }
-  Vec3 const step = t * ray.direction;
-  out.point = ray.origin + step;
-  out.point_error =
-      glm::abs(ray.direction) * out.error + gamma_bound(2) * (glm::abs(step) + glm::abs(out.point));
+  set_point(ray.origin, ray.direction, t, out.error, out.point, out.point_error);
 }
 
 } // namespace
@@ -177,38 +172,6 @@ void World::Impl::join_contact(Ray const& ray, std::uint8_t mask, double t_max, 
   out.members.insert(out.members.end(), beyond.members.begin(), beyond.members.end());
   // So far is the point from the surface beyond.
   out.point_error += gap * glm::abs(normal);
-}
-
-bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                    Scratch& scratch, HitGroup& out) const {
-  if (!impl_->first_group(ray, from, mask, t_max, scratch, out)) return false;
-  if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
-  return true;
-}
-
-bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                     Scratch& scratch) const {
-  impl_->prepare(scratch);
-  bool found = false;
-  auto const ask = [&](SolidId id) {
-    TracedSolid const& solid = impl_->solids[id];
-    if ((solid.mask() & mask) == 0) return true;
-    solid.passages(impl_->query(id, ray, from, scratch, t_max), false,
-                   [&](TracedSolid::Passage const& passage) {
-                     if (passage.crossing.t + passage.error >= t_max) return false;
-                     found = passage.visible;
-                     return !found;
-                   });
-    if (found) scratch.last_occluder = id;
-    return !found;
-  };
-  // Neighbouring rays meet the same.
-  SolidId const last = scratch.last_occluder;
-  if (last < impl_->solids.size() && !ask(last)) return true;
-  impl_->each_solid(BoxProbe(ray), mask, 0.0, t_max,
-                    [&](SolidId id) { return id == last || ask(id); });
-  if (!found) scratch.last_occluder = no_solid;
-  return found;
 }
 
 void World::containing(Vec3 const& point, Scratch& scratch, std::vector<SolidId>& out) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/contact.hpp"
-#include "geometry/shapes/convex.hpp"
 #include "geometry/traced_solid.hpp"
 
 #include <atomic>
@@ -10,12 +9,18 @@
 /// What a World keeps; for world.cpp and fan.cpp alone.
 namespace abbe::geometry {
 
+/// Where a line meets a surface, and how far from it that point may be.
+inline void set_point(Vec3 const& origin, Vec3 const& direction, double t, double error,
+                      Vec3& point, Vec3& point_error) {
+  Vec3 const step = t * direction;
+  point = origin + step;
+  point_error = glm::abs(direction) * error + gamma_bound(2) * (glm::abs(step) + glm::abs(point));
+}
+
 struct World::Impl {
   std::uint64_t number = next_number();
   std::vector<Placed> primitives;
   std::vector<TracedSolid> solids;
-  /// By primitive: its shape where it takes four lines at once; else null.
-  std::vector<FourSlices const*> four_slices;
   std::vector<std::uint32_t> state_of; ///< solid -> place in Scratch::states
   std::uint32_t states = 0;
   /// The solids with a bit of a mask, by place.
@@ -57,6 +62,12 @@ struct World::Impl {
                    Scratch& scratch, HitGroup& out) const;
   void join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
                     HitGroup& out) const;
+  struct First; ///< of closest.cpp
+  enum class Kind : std::uint8_t { Nothing, Single, Several };
+  /// closest() where one crossing stands clear of all others; Several: it may not, ask
+  /// first_group().
+  Kind first_single(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                    Scratch& scratch, HitGroup& out) const;
   struct Nearest; ///< of fan.cpp
   void find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask, Scratch& scratch,
                 Nearest& nearest) const;

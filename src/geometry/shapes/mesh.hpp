@@ -45,6 +45,8 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const override;
+  bool smoothed() const override { return !data_.normals.empty(); }
+  bool flat(std::uint32_t) const override { return data_.normals.empty(); }
   Bounds bounds() const override { return bounds_; }
   bool solid() const override { return data_.inside_vector.has_value(); }
   int face_texture(std::uint32_t face) const override;

@@ -26,7 +26,6 @@ public:
   }
   bool visible(std::uint32_t) const { return true; }
   bool ends_visible() const override { return true; }
-  bool flat(std::uint32_t) const override { return false; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
