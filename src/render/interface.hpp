@@ -8,6 +8,12 @@
 
 namespace abbe::render {
 
+inline bool any_above(double const* values, int n, double threshold) {
+  for (int k = 0; k < n; ++k)
+    if (values[k] > threshold) return true;
+  return false;
+}
+
 /// What an interface does to the lanes of a beam that meets it. Arrays are per lane, in the arena.
 struct LaneInterface {
   Vec3 normal{0};    ///< unit shading normal on the side the ray comes from

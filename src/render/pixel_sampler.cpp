@@ -37,18 +37,62 @@ Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t inde
   return out;
 }
 
+void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* out) {
+  geometry::FanLines rays;
+  rays.count = count;
+  for (std::size_t k = 0; k < count; ++k) {
+    auto const ray =
+        camera_ray(stage_.camera, spots[k].x, spots[k].y, options_.width, options_.height);
+    rays.origin.set(k, ray.origin);
+    rays.direction.set(k, ray.direction);
+    rays.origin_error.set(k, ray.origin_error);
+  }
+  rays.fill();
+  tracer_.samples(rays);
+  for (std::size_t k = 0; k < count; ++k) {
+    out[k].bands.resize(options_.spectral_output ? static_cast<std::size_t>(stage_.channels) : 0);
+    out[k].rgb = tracer_.light_of(k, out[k].bands);
+    if (options_.check_finite && !wrong_)
+      if (auto const kind = tracer_.wrong(k, out[k].rgb, negative_is_wrong_))
+        wrong_ = Wrong{*kind, spots[k].x, spots[k].y, spots[k].key, out[k].rgb};
+  }
+}
+
+void PixelSampler::at_all(Spot const* spots, std::size_t count, Sampled* out) {
+  std::size_t const most = tracer_.together() ? geometry::fan_width : 1;
+  for (std::size_t first = 0; first < count; first += most) {
+    std::size_t const some = std::min(most, count - first);
+    Spot const& spot = spots[first];
+    if (some > 1)
+      at_together(spots + first, some, out + first);
+    else
+      out[first] = at(spot.x, spot.y, spot.key.pixel, spot.key.number);
+  }
+}
+
+RandomKey PixelSampler::key_of(int x, int y) const {
+  return frame_key_.child(static_cast<std::uint64_t>(y)).child(static_cast<std::uint64_t>(x));
+}
+
 Sampled PixelSampler::centre(int x, int y) {
-  auto const key =
-      frame_key_.child(static_cast<std::uint64_t>(y)).child(static_cast<std::uint64_t>(x));
-  return at(x + 0.5, y + 0.5, key, 0);
+  return at(x + 0.5, y + 0.5, key_of(x, y), 0);
+}
+
+void PixelSampler::centres(int x, int y, std::size_t count, Sampled* out) {
+  Spot spots[geometry::fan_width];
+  ABBE_ASSERT(count <= geometry::fan_width);
+  for (std::size_t k = 0; k < count; ++k) {
+    int const at = x + static_cast<int>(k);
+    spots[k] = {at + 0.5, y + 0.5, {key_of(at, y), 0}};
+  }
+  at_all(spots, count, out);
 }
 
 Sampled PixelSampler::refined(int x, int y, Sampled const& centre) {
-  auto const key =
-      frame_key_.child(static_cast<std::uint64_t>(y)).child(static_cast<std::uint64_t>(x));
+  auto const key = key_of(x, y);
   int const n = options_.anti_aliasing.depth;
   double const jitter = options_.anti_aliasing.jitter;
-  Sampled sum = centre;
+  spots_.clear();
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       auto const index = static_cast<std::uint64_t>(j * n + i + 1);
@@ -58,8 +102,12 @@ Sampled PixelSampler::refined(int x, int y, Sampled const& centre) {
         dx += jitter * (sub.uniform(0) - 0.5);
         dy += jitter * (sub.uniform(1) - 0.5);
       }
-      sum.add(at(x + (i + dx) / n, y + (j + dy) / n, key, index));
+      spots_.push_back({x + (i + dx) / n, y + (j + dy) / n, {key, index}});
     }
+  taken_.resize(spots_.size());
+  at_all(spots_.data(), spots_.size(), taken_.data());
+  Sampled sum = centre;
+  for (Sampled const& sampled : taken_) sum.add(sampled);
   sum.scale(1.0 / (n * n + 1));
   return sum;
 }

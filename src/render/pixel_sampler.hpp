@@ -24,6 +24,8 @@ public:
 
   /// One ray through the middle of the pixel.
   Sampled centre(int x, int y);
+  /// The same for `count` pixels of a row, traced together where that can be.
+  void centres(int x, int y, std::size_t count, Sampled* out);
   /// Method 1: the grid of a pixel whose centre sample differs from a neighbour's, averaged with
   /// it.
   Sampled refined(int x, int y, Sampled const& centre);
@@ -43,7 +45,16 @@ public:
   std::optional<Wrong> const& wrong() const { return wrong_; }
 
 private:
+  /// A sample: where on the picture plane, and what its random numbers hang on.
+  struct Spot {
+    double x, y;
+    SampleKey key;
+  };
+  RandomKey key_of(int x, int y) const;
   Sampled at(double x, double y, RandomKey pixel, std::uint64_t index);
+  /// at() for each, the same bits. @param count any
+  void at_all(Spot const* spots, std::size_t count, Sampled* out);
+  void at_together(Spot const* spots, std::size_t count, Sampled* out);
   Sampled corner(std::int64_t x, std::int64_t y);
   Sampled cell(std::int64_t x, std::int64_t y, std::int64_t size, Sampled const (&corners)[4]);
 
@@ -54,6 +65,8 @@ private:
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
+  std::vector<Spot> spots_;    ///< of refined()
+  std::vector<Sampled> taken_; ///< of refined()
 };
 
 } // namespace abbe::render

@@ -163,8 +163,16 @@ private:
   Strip sampled_strip(int tile0) {
     Strip strip = make_strip(tile0);
     bool const subdivide = options_.anti_aliasing.method == 2;
-    for_each_tile(strip, 0, [&](PixelSampler& sampler, int x, int y) {
-      put(strip, x, y, subdivide ? sampler.subdivided(x, y) : sampler.centre(x, y));
+    for_each_tile(strip, 0, [&](PixelSampler& sampler, int x, int y, int count) {
+      if (subdivide) {
+        put(strip, x, y, sampler.subdivided(x, y));
+        return 1;
+      }
+      Sampled sampled[geometry::fan_width];
+      count = std::min(count, static_cast<int>(geometry::fan_width));
+      sampler.centres(x, y, static_cast<std::size_t>(count), sampled);
+      for (int k = 0; k < count; ++k) put(strip, x + k, y, sampled[k]);
+      return count;
     });
     return strip;
   }
@@ -198,9 +206,10 @@ private:
   }
 
   void refine(Strip& strip) {
-    for_each_tile(strip, 1, [&](PixelSampler& sampler, int x, int y) {
+    for_each_tile(strip, 1, [&](PixelSampler& sampler, int x, int y, int) {
       if (strip.marks[index(strip, x, y)])
         put(strip, x, y, sampler.refined(x, y, sampler.centre(x, y)));
+      return 1;
     });
   }
 
@@ -208,6 +217,8 @@ private:
     int x0, y0, x1, y1;
   };
 
+  /// @param work (sampler, x, y, count): makes some of the next `count` pixels of a row, and says
+  /// how many
   template <class Work>
   void for_each_tile(Strip& strip, std::uint32_t pass, Work const& work) {
     int const cores =
@@ -228,10 +239,14 @@ private:
           CutLight const cut_before = tracer.cut_light();
           for (int y = box.y0; y < box.y1; ++y) {
             if (stopped()) return;
-            for (int x = box.x0; x < box.x1; ++x) {
+            for (int x = box.x0; x < box.x1;) {
               if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
-              work(sampler, x, y);
-              if (sampler.wrong()) return keep(*sampler.wrong(), x, y);
+              int const made = work(sampler, x, y, box.x1 - x);
+              // Of several pixels' centres, the one in whose middle it is.
+              if (sampler.wrong())
+                return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x,
+                            y);
+              x += made;
             }
           }
           rays_ += tracer.counts().total() - before.total();

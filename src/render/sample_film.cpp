@@ -52,6 +52,13 @@ Vec3 SampleFilm::resolve(WaveTables& waves, std::span<double> bands) const {
   return rgb;
 }
 
+Vec3 SampleFilm::resolve_plain(std::span<double const> light, std::span<double> bands) const {
+  Vec3 rgb(0);
+  for (std::size_t c = 0; c < light.size(); ++c) rgb += light[c] * stage_.rgb_weights[c];
+  std::copy_n(light.begin(), bands.size(), bands.begin());
+  return rgb;
+}
+
 Vec3 SampleFilm::resolve_locked(WaveTables& waves, int jitter, std::span<double> bands) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
   double const* light = values_.data() + jittered_slot(jitter, 0);

@@ -56,6 +56,8 @@ public:
   Vec3 colour(std::uint32_t slot, WaveTables& waves) const;
   /// Linear sRGB of the sample; with `bands` (one value a channel) its spectrum too.
   Vec3 resolve(WaveTables& waves, std::span<double> bands) const;
+  /// The same of light by channel alone.
+  Vec3 resolve_plain(std::span<double const> light, std::span<double> bands) const;
 
 private:
   /// First slots of a stochastic setting.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace abbe::render {
 
@@ -51,12 +50,17 @@ void CutLight::add(CutLight const& other) {
 
 Tracer::Tracer(Stage const& stage)
     : stage_(stage), scratch_(geometry::World::make_scratch()), waves_(stage), film_(stage) {
+  bool const perspective = stage.camera.kind == scene::Camera::Kind::Perspective;
+  together_ = stage.jitters.empty() && !stage.has_priorities && !stage.has_leaks
+              && (perspective || stage.media.size() == 1);
   auto const n = static_cast<std::size_t>(stage.channels);
-  all_channels_.resize(n);
-  all_slots_.resize(n);
-  std::iota(all_channels_.begin(), all_channels_.end(), std::uint16_t{0});
-  std::iota(all_slots_.begin(), all_slots_.end(), std::uint32_t{0});
-  if (stage.camera.kind == scene::Camera::Kind::Perspective) camera_inside_ = inside_at(Vec3(0));
+  std::size_t const lanes = together_ ? n * geometry::fan_width : n;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    all_channels_.push_back(static_cast<std::uint16_t>(i % n));
+    all_slots_.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (together_) together_light_.resize(lanes);
+  if (perspective) camera_inside_ = inside_at(Vec3(0));
 }
 
 Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands) {
@@ -64,33 +68,65 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
   film_.start_sample();
   waves_.start_sample(key);
   out_ = film_.data();
+  out_size_ = film_.size();
   Beam beam;
   beam.lanes = stage_.channels;
   beam.channel = all_channels_.data();
   beam.slot = all_slots_.data();
-  beam.throughput = arena_.take<double>(all_slots_.size());
+  beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(beam.throughput, beam.lanes, 1.0);
   PathRay path{ray, nullptr, camera_inside_, 0, camera_bit};
   if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
     path.inside = inside_at(ray.origin);
   ++counts_.camera;
-  cut_here_ = Vec3(0);
+  cut_here_[0] = Vec3(0);
   trace(path, beam);
-  double const lost = std::max({cut_here_.x, cut_here_.y, cut_here_.z});
+  count_cut(cut_here_[0]);
+  return film_.resolve(waves_, bands);
+}
+
+void Tracer::samples(geometry::FanLines const& rays) {
+  Arena::Scope const scope(arena_);
+  auto const n = static_cast<std::size_t>(stage_.channels) * rays.count;
+  std::fill_n(together_light_.begin(), n, 0.0);
+  out_ = together_light_.data();
+  out_size_ = together_light_.size();
+  Beam beam;
+  beam.lanes = static_cast<int>(n);
+  beam.channel = all_channels_.data();
+  beam.slot = all_slots_.data();
+  beam.throughput = arena_.take<double>(n);
+  std::fill_n(beam.throughput, n, 1.0);
+  counts_.camera += rays.count;
+  std::fill_n(cut_here_, rays.count, Vec3(0));
+  trace_fan({&rays, nullptr, camera_inside_, 0, camera_bit, stage_.channels}, beam);
+  for (std::size_t k = 0; k < rays.count; ++k) count_cut(cut_here_[k]);
+}
+
+Vec3 Tracer::light_of(std::size_t sample, std::span<double> bands) const {
+  return film_.resolve_plain(together_light(sample), bands);
+}
+
+void Tracer::count_cut(Vec3 const& lost_colour) {
+  double const lost = std::max({lost_colour.x, lost_colour.y, lost_colour.z});
   cut_.worst_sample = std::max(cut_.worst_sample, lost);
   // A sample that loses more than this has lost everything many times over.
   constexpr double most = 0x1p16;
   cut_.sum += static_cast<std::uint64_t>(std::ceil(std::min(lost, most) / CutLight::unit));
-  return film_.resolve(waves_, bands);
 }
 
 void Tracer::cut(Beam const& beam, int lanes) {
   Vec3 sum(0);
-  for (int k = 0; k < lanes; ++k)
-    sum += beam.throughput[k] * glm::abs(film_.colour(beam.slot[k], waves_));
+  bool const plain = stage_.jitters.empty(); // slots are channels, of one sample or the next
+  for (int k = 0; k < lanes; ++k) {
+    if (beam.throughput[k] == 0) continue;
+    sum += beam.throughput[k]
+           * glm::abs(plain ? stage_.rgb_weights[beam.channel[k]]
+                            : film_.colour(beam.slot[k], waves_));
+  }
   if (sum == Vec3(0)) return;
   ++cut_.paths;
-  cut_here_ += sum;
+  cut_here_[plain ? beam.slot[0] / static_cast<std::uint32_t>(stage_.channels) : 0] += sum;
 }
 
 void Tracer::prepare_frame(int depth, PathRay const& ray, Beam const& beam) {

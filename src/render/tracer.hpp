@@ -35,14 +35,17 @@ struct PathRay {
   double travelled = 0; ///< before the origin, since the last real surface
 };
 
-/// Rays of neighbouring wavelengths that met the same surfaces so far, each with one lane of a
-/// beam: ray k is that of lane k. Arrays are in the arena.
+/// Rays of neighbouring wavelengths, or of neighbouring samples, that met the same surfaces so far.
+/// One beam has the light of all: `lanes_each` lanes for the first ray, as many for the next: one
+/// for a ray of one wavelength, all channels for one that no surface has split. Arrays are in the
+/// arena.
 struct FanRay {
   geometry::FanLines const* lines = nullptr;
   geometry::Departure const* from = nullptr;
   InsideNode const* inside = nullptr;
   int level = 0;
   std::uint8_t mask = camera_bit;
+  int lanes_each = 1;
   PathRay lane(int k) const {
     return {lines->get(static_cast<std::size_t>(k)), from, inside, level, mask, 0};
   }
@@ -76,6 +79,16 @@ public:
 
   /// Light arriving along a camera ray. @param bands one value a channel, or empty
   Vec3 sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands);
+  /// Can samples be traced together? Not where each has wavelengths of its own.
+  bool together() const { return together_; }
+  /// sample() for neighbouring camera rays, with the same bits: at most fan_width of them, filled
+  /// up. The light is asked for by light_of(). @pre together()
+  void samples(geometry::FanLines const& rays);
+  Vec3 light_of(std::size_t sample, std::span<double> bands) const;
+  std::optional<BadSample::Kind> wrong(std::size_t sample, Vec3 const& rgb,
+                                       bool negative_is_wrong) const {
+    return what_is_wrong(together_light(sample), rgb, negative_is_wrong);
+  }
 
   RayCounts const& counts() const { return counts_; }
   CutLight const& cut_light() const { return cut_; }
@@ -85,7 +98,10 @@ public:
     return what_is_wrong(film_.light(), rgb, negative_is_wrong);
   }
   /// Tells this recorder of every ray from now on. @pre no sample was traced yet
-  void record(PathRecorder& recorder) { recorder_ = &recorder; }
+  void record(PathRecorder& recorder) {
+    recorder_ = &recorder;
+    together_ = false;
+  }
 
 private:
   friend class PathRecorder;
@@ -100,6 +116,8 @@ private:
   void trace(PathRay const& ray, Beam const& beam);
   /// Notes a beam that is not followed.
   void cut(Beam const& beam, int lanes);
+  /// Ends a sample: the light that it lost.
+  void count_cut(Vec3 const& lost);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
   /// Absorbs along the ray up to `distance` (infinite: it escapes). Solids that leak end at their
@@ -124,21 +142,31 @@ private:
   /// What trace() does for each ray of a fan, with the same bits, and most of the work once for
   /// all.
   void trace_fan(FanRay const& fan, Beam const& beam);
-  /// Traces those lanes whose throughput is not to be cut, counted as `kind`.
+  /// Traces those rays whose throughput is not to be cut, counted as `kind`.
   void trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind);
   /// Rays of a fan, next to each other, that met the same surface.
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     std::size_t first, std::size_t count, Frame& frame);
-  /// The same where fan_normals() knows the normals, which are in `met`.
-  void interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
+  /// The same where fan_normals() knows the normals, which are in `met`. @return false, with
+  /// nothing done, where the rays are split
+  bool interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     FanInterface& met, Frame& frame);
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);
+  /// Of a medium, for each ray of a fan; whole lanes.
+  void find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
+                    double* out);
   /// What the textures do to ray k of a fan.
   LaneSurface shade_lane(PathRay const& ray, Beam const& lane, Frame& frame,
                          FanInterface const& met, std::size_t k, LaneInterface& face,
                          InsideNode const* after, FanShadows& shadows);
-  static Beam one_lane(Beam const& beam, int k);
+  static Beam one_lane(Beam const& beam, int k) { return beam_of(beam, 1, k); }
+  /// The light of ray k of a fan.
+  static Beam beam_of(Beam const& beam, int lanes_each, int k);
+  std::span<double const> together_light(std::size_t sample) const {
+    auto const n = static_cast<std::size_t>(stage_.channels);
+    return {together_light_.data() + sample * n, n};
+  }
 
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
@@ -188,13 +216,16 @@ private:
   SampleFilm film_;
   double* out_ =
       nullptr; ///< where light is added: the film, or a capture for `reflection exponent`
+  std::size_t out_size_ = 0;
+  bool together_ = false;
+  std::vector<double> together_light_; ///< of samples(): one a channel for the first, the next ..
   std::vector<std::uint16_t> all_channels_;
   std::vector<std::uint32_t> all_slots_;
   InsideNode const* camera_inside_ = nullptr;
   Arena camera_arena_;
   RayCounts counts_;
   CutLight cut_;
-  Vec3 cut_here_{0}; ///< of the current sample
+  Vec3 cut_here_[geometry::fan_width]{}; ///< of the current samples
 };
 
 } // namespace abbe::render

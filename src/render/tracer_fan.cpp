@@ -13,22 +13,24 @@ using geometry::FanHit;
 using geometry::FanHits;
 using geometry::FanLines;
 
-Beam Tracer::one_lane(Beam const& beam, int k) {
-  Beam lane = beam;
-  lane.lanes = 1;
-  lane.channel += k;
-  lane.slot += k;
-  lane.throughput += k;
-  lane.wave_band = lane.channel[0];
-  return lane;
+Beam Tracer::beam_of(Beam const& beam, int lanes_each, int k) {
+  Beam own = beam;
+  own.lanes = lanes_each;
+  own.channel += k * lanes_each;
+  own.slot += k * lanes_each;
+  own.throughput += k * lanes_each;
+  own.wave_band = own.channel[0];
+  return own;
 }
 
 void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind) {
   Arena::Scope const scope(arena_);
+  int const each = fan.lanes_each, rays = beam.lanes / each;
+  auto const room = geometry::fan_width * static_cast<std::size_t>(each);
   auto* lines = arena_.take<FanLines>(1);
-  auto* channel = arena_.take<std::uint16_t>(geometry::fan_width);
-  auto* slot = arena_.take<std::uint32_t>(geometry::fan_width);
-  auto* throughput = arena_.take<double>(geometry::fan_width);
+  auto* channel = arena_.take<std::uint16_t>(room);
+  auto* slot = arena_.take<std::uint32_t>(room);
+  auto* throughput = arena_.take<double>(room);
   Beam some = beam;
   some.channel = channel;
   some.slot = slot;
@@ -36,29 +38,33 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
   FanRay next = fan;
   next.lines = lines;
   std::size_t n = 0;
-  for (int k = 0; k < beam.lanes; ++k) {
-    if (!(beam.throughput[k] > stage_.adc_bailout)) {
-      cut(one_lane(beam, k), 1);
+  int lanes = 0;
+  for (int k = 0; k < rays; ++k) {
+    Beam const own = beam_of(beam, each, k);
+    if (!any_above(own.throughput, each, stage_.adc_bailout)) {
+      cut(own, each);
       continue;
     }
     ++kind;
     lines->copy(n, *fan.lines, static_cast<std::size_t>(k));
-    channel[n] = beam.channel[k];
-    slot[n] = beam.slot[k];
-    throughput[n] = beam.throughput[k];
+    std::copy_n(own.channel, each, channel + lanes);
+    std::copy_n(own.slot, each, slot + lanes);
+    std::copy_n(own.throughput, each, throughput + lanes);
+    lanes += each;
     ++n;
   }
   lines->count = n;
   if (n > 0) lines->fill();
-  some.lanes = static_cast<int>(n);
+  some.lanes = lanes;
   if (n > 1 && recorder_ == nullptr) return trace_fan(next, some);
-  for (int k = 0; k < some.lanes; ++k) trace(next.lane(k), one_lane(some, k));
+  for (int k = 0; k < static_cast<int>(n); ++k) trace(next.lane(k), beam_of(some, each, k));
 }
 
 void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
-  auto const n = static_cast<std::size_t>(beam.lanes);
+  std::size_t const n = fan.lines->count;
+  int const each = fan.lanes_each;
   if (fan.level >= stage_.max_trace_level) {
-    for (int k = 0; k < beam.lanes; ++k) cut(one_lane(beam, k), 1);
+    for (int k = 0; k < beam.lanes; k += each) cut(beam_of(beam, each, k / each), each);
     return;
   }
   ++depth_;
@@ -72,12 +78,15 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
     last = first + 1;
     auto const k = static_cast<int>(first);
     if (hit.kind == FanHit::Kind::Nothing) {
-      arrive(fan.lane(k), one_lane(beam, k), here, false);
+      if (fan.inside)
+        arrive(fan.lane(k), beam_of(beam, each, k), here, false);
+      else
+        add_background(fan.lines->direction.get(first), beam_of(beam, each, k));
       continue;
     }
     if (hit.kind == FanHit::Kind::Unclear) {
       --depth_;
-      trace(fan.lane(k), one_lane(beam, k));
+      trace(fan.lane(k), beam_of(beam, each, k));
       ++depth_;
       continue;
     }
@@ -104,18 +113,17 @@ void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hi
     lines->fill();
     run.lines = lines;
     found = part;
-    lanes.lanes = static_cast<int>(count);
-    lanes.channel += first;
-    lanes.slot += first;
-    lanes.throughput += first;
+    lanes = beam_of(beam, fan.lanes_each, static_cast<int>(first));
+    lanes.lanes = static_cast<int>(count) * fan.lanes_each;
   }
   auto* face = arena_.take<FanInterface>(1);
   bool const plain = !stage_.has_priorities && !stage_.has_leaks;
-  if (plain && count > 1 && fan_normals(*found, count, face->normal))
-    return interact_fan(run, lanes, *found, *face, here);
-  for (int k = 0; k < lanes.lanes; ++k) {
+  if (plain && count > 1 && fan_normals(*found, count, face->normal)
+      && interact_fan(run, lanes, *found, *face, here))
+    return;
+  for (int k = 0; k < static_cast<int>(count); ++k) {
     found->write(static_cast<std::size_t>(k), here.hit);
-    arrive(run.lane(k), one_lane(lanes, k), here, true);
+    arrive(run.lane(k), beam_of(lanes, fan.lanes_each, k), here, true);
   }
 }
 
@@ -140,24 +148,32 @@ bool Tracer::fan_normals(FanHits const& hits, std::size_t count, geometry::FanVe
 LaneSurface Tracer::shade_lane(PathRay const& ray, Beam const& lane, Frame& here,
                                FanInterface const& met, std::size_t k, LaneInterface& face,
                                InsideNode const* after, FanShadows& shadows) {
+  auto const n = static_cast<std::size_t>(lane.lanes);
   face.normal = face.geometric = met.normal.get(k);
   face.cos_i = met.cos_i[k];
-  face.reflectance = arena_.take<double>(1);
-  face.transmittance = arena_.take<double>(1);
-  face.total = arena_.take<bool>(1);
-  face.reflectance[0] = met.reflectance[k];
-  face.transmittance[0] = met.transmittance[k];
-  face.total[0] = met.total[k] != 0;
+  face.reflectance = arena_.take<double>(n);
+  face.transmittance = arena_.take<double>(n);
+  face.total = arena_.take<bool>(n);
+  std::fill_n(face.reflectance, n, met.reflectance[k]);
+  std::fill_n(face.transmittance, n, met.transmittance[k]);
+  std::fill_n(face.total, n, met.total[k] != 0);
   return Shader(*this, ray, lane, here, face, after, &shadows, k).shade();
 }
 
-void Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const& hits,
-                          FanInterface& met, Frame& here) {
-  auto const n = static_cast<std::size_t>(incoming.lanes);
-  Beam back = incoming, through = incoming;
-  back.throughput = arena_.take<double>(n);
-  through.throughput = arena_.take<double>(n);
+void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
+                          double* out) {
+  if (medium.dispersive && beam.monochromatic()) {
+    auto const of_wave = waves_.indices(number, beam.wave);
+    for (std::size_t k = 0; k < rays; ++k) out[k] = of_wave[beam.channel[k]];
+  } else {
+    std::fill_n(out, rays, medium.index_d);
+  }
+  for (std::size_t k = rays; k % 4 != 0; ++k) out[k] = out[rays - 1];
+}
 
+bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const& hits,
+                          FanInterface& met, Frame& here) {
+  std::size_t const n = fan.lines->count;
   hits.write(0, here.hit);
   LaneInterface face;
   InsideNode const* const after = after_crossings(fan.inside, here.hit);
@@ -165,19 +181,19 @@ void Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   face.after = medium_of(after);
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   Medium const& beyond = stage_.media[static_cast<std::size_t>(face.after)];
+  if (!incoming.locked && face.before != face.after && (before.dispersive || beyond.dispersive))
+    return false;
   face.fresnel = before.fresnel || beyond.fresnel;
   bool const fades = fan.inside != after && before.fade_power != 0;
-  auto const indices = [&](Medium const& medium, int number, double* out) {
-    auto const of_wave = waves_.indices(number, incoming.wave);
-    for (std::size_t k = 0; k < n; ++k)
-      out[k] = medium.dispersive ? of_wave[incoming.channel[k]] : medium.index_d;
-    for (std::size_t k = n; k % 4 != 0; ++k) out[k] = out[n - 1];
-  };
-  indices(before, face.before, met.n1);
-  indices(beyond, face.after, met.n2);
+  find_indices(before, face.before, incoming, n, met.n1);
+  find_indices(beyond, face.after, incoming, n, met.n2);
   for (std::size_t k = n; k % 4 != 0; ++k) met.normal.set(k, met.normal.get(n - 1));
   meet_fan(fan.lines->direction, n, met);
 
+  Beam back = incoming, through = incoming;
+  back.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
+  through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
+  std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
   bool const bare = stage_.surfaces[hits.hit[0].primitive].bare();
   bool bends = false;
   auto* back_lines = arena_.take<FanLines>(1);
@@ -187,46 +203,54 @@ void Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   back_lines->origin_error = through_lines->origin_error = hits.point_error;
   back_lines->direction = met.mirrored;
   FanShadows shadows(*this, fan, hits, met.normal, after, here);
+  int const each = fan.lanes_each;
   for (std::size_t k = 0; k < n; ++k) {
-    Arena::Scope const of_lane(arena_);
-    auto const lane_number = static_cast<int>(k);
-    Beam lane = one_lane(incoming, lane_number);
-    double light = incoming.throughput[k];
-    lane.throughput = &light;
-    absorb(lane, before, hits.t[k]);
-    if (fades) light *= distance_fade(before, lane.channel[0], hits.t[k]);
+    Arena::Scope const of_ray(arena_);
+    auto const number = static_cast<int>(k);
+    Beam own = beam_of(through, each, number);
+    double* const light = own.throughput;
+    double* const returns = back.throughput + number * each;
+    absorb(own, before, hits.t[k]);
+    for (int c = 0; fades && c < each; ++c)
+      light[c] *= distance_fade(before, own.channel[c], hits.t[k]);
     bool const bent = met.n1[k] != met.n2[k];
     bends = bends || bent;
     through_lines->direction.set(k, bent ? met.refracted.get(k) : fan.lines->direction.get(k));
     if (bare) {
       bool const total = met.total[k] != 0;
-      back.throughput[k] = light * (total ? 1 : face.fresnel ? met.reflectance[k] : 0);
-      through.throughput[k] = light * (total ? 0 : face.fresnel ? met.transmittance[k] : 1);
-    } else {
-      PathRay const ray = fan.lane(lane_number);
-      if (k > 0) hits.write(k, here.hit);
-      LaneSurface const surface = shade_lane(ray, lane, here, met, k, face, after, shadows);
-      if (surface.mirrors && surface.exponent != 1 && !face.total[0]) {
-        reflect(ray, lane, here, face, surface);
-        back.throughput[k] = 0;
-      } else {
-        back.throughput[k] = light * mirrored_weight(face, surface, 0, surface.passed[0] > 0);
+      for (int c = 0; c < each; ++c) {
+        returns[c] = light[c] * (total ? 1 : face.fresnel ? met.reflectance[k] : 0);
+        light[c] *= total ? 0 : face.fresnel ? met.transmittance[k] : 1;
       }
-      through.throughput[k] = light * passed_weight(face, surface, 0);
+    } else {
+      PathRay const ray = fan.lane(number);
+      if (k > 0) hits.write(k, here.hit);
+      LaneSurface const surface = shade_lane(ray, own, here, met, k, face, after, shadows);
+      if (surface.mirrors && surface.exponent != 1 && !face.total[0]) {
+        reflect(ray, own, here, face, surface);
+        std::fill_n(returns, each, 0.0);
+      } else {
+        bool const passes = any_above(surface.passed, each, 0);
+        for (int c = 0; c < each; ++c)
+          returns[c] = light[c] * mirrored_weight(face, surface, c, passes);
+      }
+      for (int c = 0; c < each; ++c) light[c] *= passed_weight(face, surface, c);
     }
-    if (met.below[k] < 0 && back.throughput[k] > stage_.adc_bailout) {
+    if (met.below[k] < 0 && any_above(returns, each, stage_.adc_bailout)) {
       face.normal = face.geometric = met.normal.get(k);
       back_lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
     }
   }
   here.back.on = here.hit.members;
   here.back.through = false;
-  trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit}, back,
+  trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, back,
               counts_.reflected);
   here.through.on = here.back.on;
   here.through.through = true;
   int const level = fan.level + (bends ? 1 : 0);
-  trace_lanes({through_lines, &here.through, after, level, fan.mask}, through, counts_.refracted);
+  trace_lanes({through_lines, &here.through, after, level, fan.mask, each}, through,
+              counts_.refracted);
+  return true;
 }
 
 } // namespace abbe::render

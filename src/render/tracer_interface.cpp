@@ -21,10 +21,6 @@ Incidence incidence(Vec3 const& direction, Vec3 const& normal) {
           std::min(1.0, glm::dot(cross, cross))};
 }
 
-bool any_above(double const* values, int n, double threshold) {
-  return std::any_of(values, values + n, [&](double v) { return v > threshold; });
-}
-
 } // namespace
 
 void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face) {
@@ -234,8 +230,8 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
   if (!captures) return trace(next, mirrored);
 
   // `reflection { exponent }` bends the reflected light itself, so it is gathered apart first.
-  auto* gathered = arena_.take<double>(film_.size());
-  std::fill_n(gathered, film_.size(), 0.0);
+  auto* gathered = arena_.take<double>(out_size_);
+  std::fill_n(gathered, out_size_, 0.0);
   double* const outer = out_;
   out_ = gathered;
   Beam unit = mirrored;
