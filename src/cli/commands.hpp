@@ -10,6 +10,7 @@ namespace abbe::cli {
 int run_compare(int argc, char** argv);
 int run_tonemap(int argc, char** argv);
 int run_render(int argc, char** argv);
+int run_study(int argc, char** argv);
 int run_check(int argc, char** argv);
 int run_dump(int argc, char** argv);
 int run_explain(int argc, char** argv);

@@ -60,10 +60,11 @@ std::uint64_t picture_identity(lang::Evaluated const& evaluated,
   if (elsewhere) hash.add(lang::dump_scene(evaluated.scene));
   auto const region = options.region.value_or(render::Region{0, 0, options.width, options.height});
   auto const& aa = options.anti_aliasing;
-  hash.add(fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {} {} {}", options.width,
+  hash.add(fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {} {} {} {}", options.width,
                        options.height, region.x0, region.y0, region.x1, region.y1,
                        options.tile_size, aa.method, aa.depth, aa.threshold, aa.jitter,
-                       options.seed, options.spectral_output, options.check_finite));
+                       options.seed, options.spectral_output, options.check_finite,
+                       options.max_trace_level.value_or(0)));
   hash.add(words);
   hash.add(program());
   return hash.value();

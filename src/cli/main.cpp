@@ -22,6 +22,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", abbe::cli::run_render, "render a scene to .exr, .png or .tif"},
+    Command{"study", abbe::cli::run_study, "measure what accuracy costs in time"},
     Command{"check", abbe::cli::run_check, "parse and evaluate a scene; report all errors"},
     Command{"dump", abbe::cli::run_dump, "print the tokens, tree, object graph or plan of a scene"},
     Command{"explain", abbe::cli::run_explain, "which effects a scene calls for, and where"},

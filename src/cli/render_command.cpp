@@ -3,13 +3,13 @@
 #include "cli/commands.hpp"
 #include "cli/identity.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/render_stats.hpp"
 #include "cli/scene_arguments.hpp"
 #include "image/writer.hpp"
 #include "render/checkpoint.hpp"
 #include "render/render.hpp"
 
 #include <charconv>
-#include <chrono>
 #include <fmt/format.h>
 
 namespace abbe::cli {
@@ -24,6 +24,7 @@ struct Arguments {
   std::string gamut = "standard";
   double exposure_ev = 0;
   bool half = false;
+  std::string stats, cost_map; ///< files; empty: not asked for
   bool checkpoint = false, no_checkpoint = false, resume = false;
 };
 
@@ -102,10 +103,21 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--check-finite", options.check_finite,
                "end at the first sample that is not a number, infinite or negative, and say which "
                "path made it");
+  app.add_option("--max-trace-level", options.max_trace_level,
+                 "paths end after as many surfaces (default: the scene's)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--stats", arguments.stats, "write seconds and rays by kind to FILE, as JSON")
+      ->type_name("FILE");
+  auto* cost_map =
+      app.add_option("--cost-map", arguments.cost_map,
+                     "write the number of rays of each pixel to FILE.exr; keeps no checkpoint")
+          ->type_name("FILE");
   auto* resume = app.add_flag("--resume", arguments.resume,
-                              "go on from OUT.abbe-checkpoint, which an interrupted render left");
+                              "go on from OUT.abbe-checkpoint, which an interrupted render left")
+                     ->excludes(cost_map);
   auto* always = app.add_flag("--checkpoint", arguments.checkpoint,
-                              "keep finished tiles from the first on (default: after 5 s)");
+                              "keep finished tiles from the first on (default: after 5 s)")
+                     ->excludes(cost_map);
   app.add_flag("--no-checkpoint", arguments.no_checkpoint, "keep none")
       ->excludes(resume)
       ->excludes(always);
@@ -195,7 +207,7 @@ constexpr double checkpoint_after_seconds = 5;
 
 std::unique_ptr<render::Checkpoint> make_checkpoint(Arguments const& arguments,
                                                     lang::Evaluated const& evaluated) {
-  if (arguments.no_checkpoint) return nullptr;
+  if (arguments.no_checkpoint || !arguments.cost_map.empty()) return nullptr;
   std::string words;
   for (auto const& declaration : arguments.scene.declarations) words += declaration + '\n';
   words += fmt::format("{} {} {}", arguments.scene.bands.value_or(0), arguments.scene.dispersion,
@@ -229,16 +241,40 @@ int say_interrupted(Arguments const& arguments, render::Checkpoint const* checkp
   return 130;
 }
 
+/// What was asked for beside the picture. The exit status, 0: done.
+int write_records(Arguments const& arguments, RenderStats stats, Stopwatch const& all,
+                  plan::Plan const& plan, render::RenderResult const& result) {
+  auto const& options = arguments.options;
+  if (!arguments.stats.empty()) {
+    stats.render_wall_s = all.wall_s() - stats.scene_wall_s;
+    stats.render_cpu_s = all.cpu_s() - stats.scene_cpu_s;
+    auto const written = write_stats(arguments.stats, stats, plan, options, result);
+    if (!written) return fail(written.error(), 3);
+  }
+  if (!arguments.cost_map.empty()) {
+    auto const region =
+        options.region.value_or(render::Region{0, 0, options.width, options.height});
+    auto const written = write_cost_map(arguments.cost_map, *options.rays_of_pixels,
+                                        region.x1 - region.x0, region.y1 - region.y0);
+    if (!written) return fail(written.error(), 3);
+  }
+  return 0;
+}
+
 int render_scene(Arguments& arguments) {
   if (arguments.output.empty())
     arguments.output = std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
   auto const writable = image::check_destination(arguments.output);
   if (!writable) return fail(writable.error(), writable.error().code == "E0512" ? 2 : 3);
+  if (!arguments.cost_map.empty()) {
+    auto const map = image::check_destination(arguments.cost_map);
+    if (!map) return fail(map.error(), map.error().code == "E0512" ? 2 : 3);
+  }
   if (int const bad =
           check_region(arguments.options.region, arguments.scene.width, arguments.scene.height))
     return bad;
 
-  auto const start = std::chrono::steady_clock::now();
+  Stopwatch const all;
   int status = 0;
   auto const evaluated = load_scene(arguments.scene, status);
   if (!evaluated) return status;
@@ -250,6 +286,8 @@ int render_scene(Arguments& arguments) {
   options.height = arguments.scene.height;
   options.spectral_output = arguments.scene.spectral;
   options.stop = &interrupted();
+  std::vector<float> rays_of_pixels;
+  if (!arguments.cost_map.empty()) options.rays_of_pixels = &rays_of_pixels;
   auto const checkpoint = make_checkpoint(arguments, *evaluated);
   if (arguments.resume)
     if (int const failed = resume(arguments, *checkpoint)) return failed;
@@ -258,6 +296,7 @@ int render_scene(Arguments& arguments) {
   options.on_progress = [&bar](render::Progress const& progress) { bar.show(progress); };
   Output output(arguments, *plan);
   options.on_rows = [&output](image::Image const& rows) { return output.write(rows); };
+  RenderStats stats{arguments.scene.scene, all.wall_s(), all.cpu_s()};
   auto const result = render::render(evaluated->scene, *plan, options);
   bar.finish();
   if (result.interrupted) return say_interrupted(arguments, checkpoint.get());
@@ -272,9 +311,9 @@ int render_scene(Arguments& arguments) {
       fmt::print(stderr, "abbe: no checkpoint could be kept: {}\n", checkpoint->problem());
     checkpoint->remove();
   }
+  if (int const failed = write_records(arguments, stats, all, *plan, result)) return failed;
   if (!arguments.scene.quiet) {
-    double const seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    double const seconds = all.wall_s();
     fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
                options.region ? options.region->x1 - options.region->x0 : options.width,
                options.region ? options.region->y1 - options.region->y0 : options.height,

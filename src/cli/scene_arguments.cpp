@@ -4,6 +4,7 @@
 #include "grammar/keywords.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -78,6 +79,16 @@ int parse_arguments(CLI::App& app, int argc, char** argv) {
     return app.exit(stop) == 0 ? 0 : 2;
   }
   return -1;
+}
+
+std::string parse_duration(std::string const& text, double& seconds) {
+  auto const [end, failed] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  std::string_view const unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  double const factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  seconds *= factor;
+  if (failed != std::errc() || factor == 0 || !(seconds > 0) || seconds > 1e9)
+    return "expected a time such as 90s, 10m or 1h, got '" + text + "'";
+  return "";
 }
 
 std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status) {

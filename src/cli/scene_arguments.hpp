@@ -31,6 +31,9 @@ struct SceneArguments {
 /// Parses the command line; -1 to go on, else the exit status.
 int parse_arguments(CLI::App& app, int argc, char** argv);
 
+/// "90", "90s", "1.5m" or "1h" as seconds. @return what is wrong, empty: nothing
+std::string parse_duration(std::string const& text, double& seconds);
+
 /// Evaluates the scene and prints its diagnostics and messages.
 /// @return the scene, or nullopt and the exit status in `status`
 std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status);

@@ -98,4 +98,12 @@ Status AtomicFile::commit() {
   return std::monostate{};
 }
 
+Status write_text(std::filesystem::path const& path, std::string const& text) {
+  auto file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (std::fwrite(text.data(), 1, text.size(), file->stream()) != text.size())
+    return file->error(errno);
+  return file->commit();
+}
+
 } // namespace abbe::image

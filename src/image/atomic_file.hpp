@@ -39,4 +39,7 @@ private:
 /// @error E0510 no such directory, not writable, or not a regular file
 Result<std::filesystem::path> writable_target(std::filesystem::path const& path);
 
+/// A whole text file at once. @error E0510
+Status write_text(std::filesystem::path const& path, std::string const& text);
+
 } // namespace abbe::image

@@ -57,6 +57,9 @@ public:
 
   RenderResult run() {
     int const method = options_.anti_aliasing.method;
+    if (options_.rays_of_pixels)
+      options_.rays_of_pixels->assign(
+          static_cast<std::size_t>(width()) * static_cast<std::size_t>(region_.y1 - region_.y0), 0);
     first_share_ = method == 1 ? 1.0 / 3 : 1;
     Strip strip = sampled_strip(0);
     std::vector<float> above; // the last row of the strip before, as first sampled
@@ -241,7 +244,12 @@ private:
             if (stopped()) return;
             for (int x = box.x0; x < box.x1;) {
               if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
-              int const made = work(sampler, x, y, box.x1 - x);
+              std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
+              // Rays of pixels that are made together cannot be told apart.
+              int const made = work(sampler, x, y, options_.rays_of_pixels ? 1 : box.x1 - x);
+              if (options_.rays_of_pixels)
+                (*options_.rays_of_pixels)[number(x, y)] +=
+                    static_cast<float>(tracer.counts().total() - rays);
               // Of several pixels' centres, the one in whose middle it is.
               if (sampler.wrong())
                 return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x,
@@ -357,7 +365,9 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options) {
   ABBE_ASSERT(options.width > 0 && options.height > 0);
   ABBE_ASSERT(!options.spectral_output || plan.bands);
-  Stage const stage = compile(scene, plan);
+  ABBE_ASSERT(!options.rays_of_pixels || !options.checkpoint);
+  Stage stage = compile(scene, plan);
+  if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
   if (options.checkpoint) {
     auto const tiles = tile_count(options);
     std::uint32_t const passes = options.anti_aliasing.method == 1 ? 2 : 1;

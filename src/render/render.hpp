@@ -39,6 +39,7 @@ struct RenderOptions {
   int threads = 0; ///< 0: all cores
   AntiAliasing anti_aliasing;
   std::uint64_t seed = 0;
+  std::optional<int> max_trace_level; ///< instead of the scene's
   bool spectral_output = false;
   std::optional<Region> region;
   int tile_size = 32;
@@ -57,6 +58,10 @@ struct RenderOptions {
   std::function<bool(image::Image const& rows)> on_rows;
   /// About how much memory the rows in work may take.
   std::size_t rows_bytes = std::size_t{32} << 20;
+  /// Filled with the number of rays of each pixel of the region, row by row (cost map).
+  /// Makes pixels one by one: slower, the same picture.
+  /// @pre no checkpoint: tiles taken from one have no such record
+  std::vector<float>* rays_of_pixels = nullptr;
   /// Finished tiles are kept in it, and taken from it. Must have been resumed, if at all.
   Checkpoint* checkpoint = nullptr;
 };

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_stats.hpp"
+
+#include "image/atomic_file.hpp"
+#include "image/io.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace abbe::cli {
+namespace {
+
+double wall_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double cpu_now() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+} // namespace
+
+Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(cpu_now()) {}
+
+double Stopwatch::wall_s() const {
+  return wall_now() - wall_;
+}
+
+double Stopwatch::cpu_s() const {
+  return cpu_now() - cpu_;
+}
+
+image::Status write_stats(std::string const& path, RenderStats const& stats, plan::Plan const& plan,
+                          render::RenderOptions const& options,
+                          render::RenderResult const& result) {
+  auto const& rays = result.counts;
+  nlohmann::ordered_json const out{
+      {"version", ABBE_VERSION},
+      {"scene", stats.scene},
+      {"width", options.width},
+      {"height", options.height},
+      {"bands", plan.bands ? plan.bands->count() : 0},
+      {"seed", options.seed},
+      {"scene_s", {{"wall", stats.scene_wall_s}, {"cpu", stats.scene_cpu_s}}},
+      {"render_s", {{"wall", stats.render_wall_s}, {"cpu", stats.render_cpu_s}}},
+      {"rays",
+       {{"camera", rays.camera},
+        {"reflected", rays.reflected},
+        {"refracted", rays.refracted},
+        {"monochromatic", rays.monochromatic},
+        {"shadow", rays.shadow},
+        {"total", rays.total()}}},
+      {"missing_mean", result.missing_mean},
+  };
+  return image::write_text(path, out.dump(2) + "\n");
+}
+
+image::Status write_cost_map(std::string const& path, std::vector<float> const& rays, int width,
+                             int height) {
+  image::Image map = image::make_image(width, height);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) map.rgb[3 * i + c] = rays[i];
+  map.metadata = {{"Content", "rays per pixel"}};
+  return image::write(map, path);
+}
+
+} // namespace abbe::cli
