@@ -117,9 +117,12 @@ void propose_convex(Query const& query, Placed const& placed, EndsKernel const& 
 }
 
 void propose_any(Query const& query, World::Impl const& world, SolidId id) {
+  Bounds const& bounds = world.solids[id].bounds();
   for (std::size_t k = 0; k < query.rays.count; ++k) {
     double const& end = query.nearest.end[k];
     Ray const ray = query.rays.get(k);
+    double entry = 0;
+    if (!bounds.infinite && !BoxProbe(ray).enter(bounds.low, bounds.high, 0, end, entry)) continue;
     world.solids[id].passages(
         world.query(id, ray, query.from, query.scratch, end), false,
         [&](TracedSolid::Passage const& passage) {

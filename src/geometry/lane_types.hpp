@@ -105,7 +105,11 @@ inline Mask4 operator!(Mask4 const& a) {
 }
 inline bool none(Mask4 const& a) {
   auto const both_halves = a.low | a.high;
+#if defined(__SSE2__)
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(both_halves)) == 0;
+#else
   return (both_halves[0] | both_halves[1]) == 0;
+#endif
 }
 inline Double4 select(Mask4 const& mask, Double4 const& a, Double4 const& b) {
   return {mask.low ? a.low : b.low, mask.high ? a.high : b.high};
@@ -126,19 +130,33 @@ inline double load<double>(double const* from) {
 }
 template <>
 inline Double4 load<Double4>(double const* from) {
+#if defined(__SSE2__)
+  return {_mm_loadu_pd(from), _mm_loadu_pd(from + 2)};
+#else
   return {from[0], from[1], from[2], from[3]};
+#endif
 }
 inline void store(double* to, double a) {
   *to = a;
 }
 inline void store(double* to, Double4 const& a) {
+#if defined(__SSE2__)
+  _mm_storeu_pd(to, a.low);
+  _mm_storeu_pd(to + 2, a.high);
+#else
   to[0] = a.low[0];
   to[1] = a.low[1];
   to[2] = a.high[0];
   to[3] = a.high[1];
+#endif
 }
 inline Double4 abs(Double4 const& a) {
+#if defined(__SSE2__)
+  __m128d const sign = _mm_set1_pd(-0.0);
+  return {_mm_andnot_pd(sign, a.low), _mm_andnot_pd(sign, a.high)};
+#else
   return select(a < Double4(0.0), -a, a + 0.0);
+#endif
 }
 inline double get(Double4 const& a, int i) {
   return i < 2 ? a.low[i] : a.high[i - 2];

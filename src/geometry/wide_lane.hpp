@@ -69,8 +69,8 @@ inline WideMask4 operator|(WideMask4 const& a, WideMask4 const& b) {
 inline WideMask4 operator!(WideMask4 const& a) {
   return negate(a);
 }
-inline bool none(WideMask4 const& a) {
-  return (a.v[0] | a.v[1] | a.v[2] | a.v[3]) == 0;
+__attribute__((target("avx2"))) inline bool none(WideMask4 const& a) {
+  return _mm256_movemask_pd(_mm256_castsi256_pd(reinterpret_cast<__m256i>(a.v))) == 0;
 }
 inline Wide4 select(WideMask4 const& mask, Wide4 const& a, Wide4 const& b) {
   return Wide4(mask.v ? a.v : b.v);
@@ -79,14 +79,14 @@ __attribute__((target("avx2"))) inline Wide4 sqrt(Wide4 const& a) {
   return Wide4(_mm256_sqrt_pd(a.v));
 }
 template <>
-inline Wide4 load<Wide4>(double const* from) {
-  return {from[0], from[1], from[2], from[3]};
+__attribute__((target("avx2"))) inline Wide4 load<Wide4>(double const* from) {
+  return Wide4(_mm256_loadu_pd(from));
 }
-inline void store(double* to, Wide4 const& a) {
-  for (int i = 0; i < 4; ++i) to[i] = a.v[i];
+__attribute__((target("avx2"))) inline void store(double* to, Wide4 const& a) {
+  _mm256_storeu_pd(to, a.v);
 }
-inline Wide4 abs(Wide4 const& a) {
-  return select(a < Wide4(0.0), -a, a + 0.0);
+__attribute__((target("avx2"))) inline Wide4 abs(Wide4 const& a) {
+  return Wide4(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v));
 }
 inline double get(Wide4 const& a, int i) {
   return a.v[i];

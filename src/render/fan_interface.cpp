@@ -21,7 +21,8 @@ void store(FanVectors& to, std::size_t at, lane::Vec<L> const& v) {
   lane::store(to.z + at, v.z);
 }
 
-template <class L>
+/// @param Same the index is the same on both sides: nothing bends or returns
+template <bool Same, class L>
 void meet(FanVectors const& directions, std::size_t count, FanInterface& face) {
   L const zero(0.0), one(1.0);
   for (std::size_t at = 0; at < count; at += 4) {
@@ -34,37 +35,77 @@ void meet(FanVectors const& directions, std::size_t count, FanInterface& face) {
     L const along = lane::dot(d, n);
     L const cosine = -along;
     L const cos_i = lane::select(cosine < zero, zero, lane::select(one < cosine, one, cosine));
-    lane::Vec<L> const cross{d.y * n.z - n.y * d.z, d.z * n.x - n.z * d.x, d.x * n.y - n.x * d.y};
-    L const sin2 = lane::dot(cross, cross);
-    L const n1 = lane::load<L>(face.n1 + at), n2 = lane::load<L>(face.n2 + at);
-    auto const f = optics::fresnel<L>(n1, n2, n2 - n1, cos_i, lane::select(sin2 < one, sin2, one));
     lane::store(face.cos_i + at, cos_i);
-    lane::store(face.reflectance + at, f.reflectance);
-    lane::store(face.transmittance + at, f.transmittance);
-    lane::store(face.total + at, lane::select(f.total, one, zero));
     L const twice = L(2.0) * along;
     lane::Vec<L> const mirrored{d.x - n.x * twice, d.y - n.y * twice, d.z - n.z * twice};
     store(face.mirrored, at, mirrored);
     lane::store(face.below + at, lane::dot(mirrored, n));
-    auto const t = optics::refracted<L>(f, {d.x, d.y, d.z}, {n.x, n.y, n.z});
-    store(face.refracted, at, lane::Vec<L>{t.x, t.y, t.z});
+    if constexpr (Same) {
+      lane::store(face.reflectance + at, zero);
+      lane::store(face.transmittance + at, one);
+      lane::store(face.total + at, zero);
+    } else {
+      lane::Vec<L> const cross{d.y * n.z - n.y * d.z, d.z * n.x - n.z * d.x, d.x * n.y - n.x * d.y};
+      L const sin2 = lane::dot(cross, cross);
+      L const n1 = lane::load<L>(face.n1 + at), n2 = lane::load<L>(face.n2 + at);
+      auto const f =
+          optics::fresnel<L>(n1, n2, n2 - n1, cos_i, lane::select(sin2 < one, sin2, one));
+      lane::store(face.reflectance + at, f.reflectance);
+      lane::store(face.transmittance + at, f.transmittance);
+      lane::store(face.total + at, lane::select(f.total, one, zero));
+      auto const t = optics::refracted<L>(f, {d.x, d.y, d.z}, {n.x, n.y, n.z});
+      store(face.refracted, at, lane::Vec<L>{t.x, t.y, t.z});
+    }
   }
 }
 
 using Meeter = void (*)(FanVectors const&, std::size_t, FanInterface&);
 #if ABBE_HAS_WIDE_LANES
+template <bool Same>
 ABBE_FOR_AVX2 void meet_wide(FanVectors const& directions, std::size_t count, FanInterface& face) {
-  meet<lane::Wide4>(directions, count, face);
+  meet<Same, lane::Wide4>(directions, count, face);
 }
-Meeter const meeter = __builtin_cpu_supports("avx2") ? meet_wide : meet<lane::Double4>;
+template <bool Same>
+Meeter const meeter = __builtin_cpu_supports("avx2") ? meet_wide<Same> : meet<Same, lane::Double4>;
 #else
-Meeter const meeter = meet<lane::Double4>;
+template <bool Same>
+Meeter const meeter = meet<Same, lane::Double4>;
+#endif
+
+template <class L>
+void aim(FanVectors const& points, std::size_t count, Vec3 const& at, FanVectors& directions,
+         double* distances) {
+  lane::Vec<L> const place{L(at.x), L(at.y), L(at.z)};
+  for (std::size_t k = 0; k < count; k += 4) {
+    lane::Vec<L> const way = place - load<L>(points, k);
+    L const distance = lane::sqrt(lane::dot(way, way));
+    lane::store(distances + k, distance);
+    store(directions, k, lane::Vec<L>{way.x / distance, way.y / distance, way.z / distance});
+  }
+}
+using Aimer = void (*)(FanVectors const&, std::size_t, Vec3 const&, FanVectors&, double*);
+#if ABBE_HAS_WIDE_LANES
+ABBE_FOR_AVX2 void aim_wide(FanVectors const& points, std::size_t count, Vec3 const& at,
+                            FanVectors& directions, double* distances) {
+  aim<lane::Wide4>(points, count, at, directions, distances);
+}
+Aimer const aimer = __builtin_cpu_supports("avx2") ? aim_wide : aim<lane::Double4>;
+#else
+Aimer const aimer = aim<lane::Double4>;
 #endif
 
 } // namespace
 
+void aim_fan(FanVectors const& points, std::size_t count, Vec3 const& at, FanVectors& directions,
+             double* distances) {
+  aimer(points, count, at, directions, distances);
+}
+
 void meet_fan(FanVectors const& direction, std::size_t count, FanInterface& face) {
-  meeter(direction, count, face);
+  meeter<false>(direction, count, face);
+}
+void meet_fan_unbent(FanVectors const& direction, std::size_t count, FanInterface& face) {
+  meeter<true>(direction, count, face);
 }
 
 } // namespace abbe::render

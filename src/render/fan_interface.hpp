@@ -20,5 +20,12 @@ struct FanInterface {
 
 /// Fills in what is not given, with the bits of the scalar path. Whole lanes of four.
 void meet_fan(geometry::FanVectors const& direction, std::size_t count, FanInterface& face);
+/// The same where n1 and n2 are equal for all rays; but refracted, which are the directions.
+void meet_fan_unbent(geometry::FanVectors const& direction, std::size_t count, FanInterface& face);
+
+/// Unit directions from points to a place, and the distances, with the bits of towards()
+/// (shader.hpp); not numbers where the distance is 0. Whole lanes of four.
+void aim_fan(geometry::FanVectors const& points, std::size_t count, Vec3 const& at,
+             geometry::FanVectors& directions, double* distances);
 
 } // namespace abbe::render

@@ -5,7 +5,7 @@
 
 namespace abbe::render {
 
-/// The ways from the hits of a fan to each lamp, asked for together when the first ray asks.
+/// The ways from the hits of a fan to each lamp, found together when the first ray asks.
 class FanShadows {
 public:
   /// @param normals unit, against the rays
@@ -19,13 +19,19 @@ public:
   };
   /// @param light one of the stage's, not shadowless
   Way way(CompiledLight const& light, std::size_t lane);
+  /// As towards() (shader.hpp), of a light of the stage.
+  bool towards(CompiledLight const& light, std::size_t lane, Vec3& direction, double& distance);
 
 private:
   struct Ways {
-    bool known = false;
+    bool aimed = false, known = false;
+    bool comes[geometry::fan_width]; ///< the light can come
+    geometry::FanVectors direction;  ///< to the lamp
+    alignas(32) double distance[geometry::fan_width];
     Way way[geometry::fan_width];
   };
-  void find(CompiledLight const& light, Ways& out);
+  Ways& aimed(CompiledLight const& light);
+  void find(Ways& out);
 
   Tracer& tracer_;
   FanRay const& fan_;

@@ -8,6 +8,12 @@
 
 namespace abbe::render {
 
+/// Is there light at all? What has none is not even cut.
+inline bool any_but_zero(double const* values, int n) {
+  for (int k = 0; k < n; ++k)
+    if (values[k] != 0) return true;
+  return false;
+}
 inline bool any_above(double const* values, int n, double threshold) {
   for (int k = 0; k < n; ++k)
     if (values[k] > threshold) return true;

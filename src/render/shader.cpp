@@ -188,7 +188,9 @@ void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
                        double const* passed) {
   Vec3 to_light;
   double distance = 0;
-  if (!towards(light, frame_.hit.point, to_light, distance)) return;
+  bool const comes = shadows_ ? shadows_->towards(light, lane_, to_light, distance)
+                              : towards(light, frame_.hit.point, to_light, distance);
+  if (!comes) return;
   double strength = 1;
   if (light.kind == scene::Light::Kind::Spot) {
     double const cosine = -glm::dot(to_light, light.direction);

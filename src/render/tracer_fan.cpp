@@ -188,20 +188,24 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   find_indices(before, face.before, incoming, n, met.n1);
   find_indices(beyond, face.after, incoming, n, met.n2);
   for (std::size_t k = n; k % 4 != 0; ++k) met.normal.set(k, met.normal.get(n - 1));
-  meet_fan(fan.lines->direction, n, met);
+  bool const unbent = std::equal(met.n1, met.n1 + n, met.n2);
+  if (unbent)
+    meet_fan_unbent(fan.lines->direction, n, met);
+  else
+    meet_fan(fan.lines->direction, n, met);
 
   Beam back = incoming, through = incoming;
   back.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
   bool const bare = stage_.surfaces[hits.hit[0].primitive].bare();
-  bool bends = false;
   auto* back_lines = arena_.take<FanLines>(1);
   auto* through_lines = arena_.take<FanLines>(1);
   back_lines->count = through_lines->count = n;
   back_lines->origin = through_lines->origin = hits.point;
   back_lines->origin_error = through_lines->origin_error = hits.point_error;
   back_lines->direction = met.mirrored;
+  through_lines->direction = fan.lines->direction;
   FanShadows shadows(*this, fan, hits, met.normal, after, here);
   int const each = fan.lanes_each;
   for (std::size_t k = 0; k < n; ++k) {
@@ -213,9 +217,7 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
     absorb(own, before, hits.t[k]);
     for (int c = 0; fades && c < each; ++c)
       light[c] *= distance_fade(before, own.channel[c], hits.t[k]);
-    bool const bent = met.n1[k] != met.n2[k];
-    bends = bends || bent;
-    through_lines->direction.set(k, bent ? met.refracted.get(k) : fan.lines->direction.get(k));
+    if (!unbent && met.n1[k] != met.n2[k]) through_lines->direction.set(k, met.refracted.get(k));
     if (bare) {
       bool const total = met.total[k] != 0;
       for (int c = 0; c < each; ++c) {
@@ -241,15 +243,18 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
       back_lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
     }
   }
-  here.back.on = here.hit.members;
-  here.back.through = false;
-  trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, back,
-              counts_.reflected);
-  here.through.on = here.back.on;
-  here.through.through = true;
-  int const level = fan.level + (bends ? 1 : 0);
-  trace_lanes({through_lines, &here.through, after, level, fan.mask, each}, through,
-              counts_.refracted);
+  if (any_but_zero(back.throughput, back.lanes)) {
+    here.back.on = here.hit.members;
+    here.back.through = false;
+    trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, back,
+                counts_.reflected);
+  }
+  if (any_but_zero(through.throughput, through.lanes)) {
+    here.through.on = here.hit.members;
+    here.through.through = true;
+    trace_lanes({through_lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each},
+                through, counts_.refracted);
+  }
   return true;
 }
 

@@ -58,7 +58,8 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
     double const n1 = index_of(face.before, beam);
     double const n2 = index_of(face.after, beam);
     face.bends = n1 != n2;
-    face.common = optics::fresnel<double>(n1, n2, n2 - n1, cos_i, sin2_i);
+    face.common = face.bends ? optics::fresnel<double>(n1, n2, n2 - n1, cos_i, sin2_i)
+                             : optics::Interface<double>{cos_i, 1, 0, 0, 1, false};
     std::fill_n(face.reflectance, n, face.common.reflectance);
     std::fill_n(face.transmittance, n, face.common.transmittance);
     std::fill_n(face.total, n, face.common.total);
@@ -203,6 +204,10 @@ Vec3 Tracer::mirrored_direction(Vec3 const& incident, LaneInterface const& face)
 
 void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                      LaneSurface const& surface) {
+  bool const returns =
+      surface.mirrors || face.fresnel
+      || std::any_of(face.total, face.total + beam.lanes, [](bool total) { return total; });
+  if (!returns) return;
   Arena::Scope const scope(arena_);
   Beam mirrored = beam;
   mirrored.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
@@ -246,6 +251,7 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
 
 void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                       LaneSurface const& surface, InsideNode const* after) {
+  if (!any_but_zero(surface.passed, beam.lanes)) return;
   Arena::Scope const scope(arena_);
   Beam passed = beam;
   passed.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
