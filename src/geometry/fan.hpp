@@ -60,6 +60,13 @@ struct FanHits {
   void copy(std::size_t to, FanHits const& from, std::size_t k);
   /// Writes a Single as World::closest does.
   void write(std::size_t k, HitGroup& out) const;
+  /// The same into a group that already has another Single of the same surface.
+  void write_place(std::size_t k, HitGroup& out) const {
+    out.t = out.crossings[0].t = t[k];
+    out.error = error[k];
+    out.point = point.get(k);
+    out.point_error = point_error.get(k);
+  }
 };
 
 } // namespace abbe::geometry

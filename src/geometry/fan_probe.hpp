@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.hpp"
 #include "geometry/fan.hpp"
+#include "geometry/lane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@ namespace abbe::geometry {
 /// the rays do not all go the same way is not tested.
 class FanProbe {
 public:
+  /// @param rays filled up
   explicit FanProbe(FanLines const& rays)
       : axes_{axis(rays, rays.origin.x, rays.direction.x),
               axis(rays, rays.origin.y, rays.direction.y),
@@ -44,13 +46,18 @@ private:
     bool tested, falling;
   };
   static Axis axis(FanLines const& rays, double const* origin, double const* direction) {
-    double low = origin[0], high = low, slowest = direction[0], fastest = slowest;
-    for (std::size_t k = 1; k < rays.count; ++k) {
-      low = std::min(low, origin[k]);
-      high = std::max(high, origin[k]);
-      slowest = std::min(slowest, direction[k]);
-      fastest = std::max(fastest, direction[k]);
+    using lane::Double4, lane::load;
+    Double4 lows = load<Double4>(origin), highs = lows;
+    Double4 slow = load<Double4>(direction), fast = slow;
+    for (std::size_t k = 4; k < rays.count; k += 4) {
+      Double4 const o = load<Double4>(origin + k), d = load<Double4>(direction + k);
+      lows = lane::min(lows, o);
+      highs = lane::max(highs, o);
+      slow = lane::min(slow, d);
+      fast = lane::max(fast, d);
     }
+    double low = lane::least(lows), high = -lane::least(-highs);
+    double slowest = lane::least(slow), fastest = -lane::least(-fast);
     bool const falling = fastest < 0;
     if (falling) {
       std::swap(low, high);

@@ -23,9 +23,6 @@ Double4 load(std::vector<double> const& from, std::size_t i) {
 void store(std::vector<double>& to, std::size_t i, Double4 const& v) {
   std::memcpy(to.data() + i, &v, sizeof v);
 }
-double least(Double4 const& v) {
-  return std::min(std::min(v.low[0], v.low[1]), std::min(v.high[0], v.high[1]));
-}
 
 } // namespace
 
@@ -120,7 +117,7 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
     farthest_in = lane::min(farthest_in, minus_in);
   }
   if (!lane::none(unclear)) return Verdict::Unclear;
-  double const minus_in = least(farthest_in), out_t = least(nearest_out);
+  double const minus_in = lane::least(farthest_in), out_t = lane::least(nearest_out);
   out.in = end(out, scratch.minus_in, minus_in, scratch);
   out.in.t = -out.in.t;
   out.out = end(out, scratch.out, out_t, scratch);

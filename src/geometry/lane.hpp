@@ -15,6 +15,10 @@ template <class L>
 L max(L const& a, L const& b) {
   return select(a < b, b, a);
 }
+/// Of the four.
+inline double least(Double4 const& v) {
+  return min(min(v.low[0], v.low[1]), min(v.high[0], v.high[1]));
+}
 
 /// The rounding error of a * b: a * b == product + the result, exactly (Dekker 1971, Veltkamp's
 /// splitting), without a fused multiply-add, which not every machine has.

@@ -209,6 +209,11 @@ Vec3 World::normal(PrimitiveId id, std::uint32_t face, Vec3 const& point) const 
 Vec3 World::geometric_normal(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
   return impl_->primitives[id].normal(face, point, true);
 }
+World::Normals World::normals(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
+  Placed const& placed = impl_->primitives[id];
+  Vec3 const smoothed = placed.normal(face, point, false);
+  return {smoothed, placed.shape().smoothed() ? placed.normal(face, point, true) : smoothed};
+}
 bool World::inside(PrimitiveId id, Vec3 const& point) const {
   Placed const& placed = impl_->primitives[id];
   return placed.shape().inside(placed.to_object(point));

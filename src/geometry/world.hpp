@@ -117,6 +117,11 @@ public:
   /// Outward unit normal of the primitive's surface in world space (smoothed / the true one).
   Vec3 normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   Vec3 geometric_normal(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  /// Both: most shapes have one only.
+  struct Normals {
+    Vec3 smoothed, geometric;
+  };
+  Normals normals(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   /// The face has one normal, wherever the point.
   bool flat(PrimitiveId, std::uint32_t face) const;
   /// Is the point inside the primitive?

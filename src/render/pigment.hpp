@@ -14,15 +14,19 @@ struct PigmentValue {
   double transmit = 0;
 };
 
-/// Of a pigment without a pattern: the same everywhere.
-inline PigmentValue plain_pigment(CompiledPigment const& pigment, Beam const& beam, Arena& arena) {
+/// Of a pigment without a pattern: the same everywhere. @tparam Lanes of the beam; 0: any number
+template <int Lanes>
+PigmentValue plain_pigment(CompiledPigment const& pigment, Beam const& beam, Arena& arena) {
   PigmentValue value{arena.take<double>(static_cast<std::size_t>(beam.lanes)),
                      pigment.colour.filter, pigment.colour.transmit};
-  for (int k = 0; k < beam.lanes; ++k) value.colour[k] = pigment.colour.value[beam.channel[k]];
+  int const lanes = Lanes > 0 ? Lanes : beam.lanes;
+  for (int k = 0; k < lanes; ++k) value.colour[k] = pigment.colour.value[beam.channel[k]];
   return value;
 }
 
 /// @param point in texture space
+/// @tparam Lanes of the beam: 1, 3, or 0 for any number
+template <int Lanes>
 PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point, Beam const& beam,
                               Arena& arena);
 

@@ -48,9 +48,10 @@ bool towards(CompiledLight const& light, Vec3 const& point, Vec3& direction, dou
   return true;
 }
 
-Shader::Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
-               LaneInterface const& face, InsideNode const* inside_after, FanShadows* shadows,
-               std::size_t lane)
+template <int Lanes>
+Shader<Lanes>::Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
+                      LaneInterface const& face, InsideNode const* inside_after,
+                      FanShadows* shadows, std::size_t lane)
     : tracer_(tracer),
       stage_(tracer.stage_),
       ray_(ray),
@@ -61,24 +62,23 @@ Shader::Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Fra
       shadows_(shadows),
       lane_(lane) {}
 
-LaneSurface Shader::shade() {
+template <int Lanes>
+LaneSurface Shader<Lanes>::shade() {
   LaneSurface out;
-  auto const n = static_cast<std::size_t>(beam_.lanes);
-  out.passed = tracer_.arena_.take<double>(n);
-  out.mirrored = tracer_.arena_.take<double>(n);
-  std::fill_n(out.passed, n, 1.0);
-  std::fill_n(out.mirrored, n, 0.0);
+  out.passed = take_lanes(1.0);
+  out.mirrored = take_lanes(0.0);
   // What is left comes before what is entered: that is the order in which the light meets them.
   for (bool const entering : {false, true})
     for (auto const& crossing : frame_.hit.crossings)
       if (crossing.entering == entering) {
         shade_surface(crossing, out);
-        if (largest(out.passed, beam_.lanes) == 0) return out;
+        if (!any_left(out.passed)) return out;
       }
   return out;
 }
 
-void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out) {
+template <int Lanes>
+void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out) {
   Surface const& surface = stage_.surfaces[crossing.primitive];
   bool const carries = &crossing == &frame_.hit.crossings[face_.carrier];
   if (!crossing.entering && !surface.interior_layers.empty())
@@ -95,12 +95,11 @@ void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurfac
                         carries, out);
 
   // Corners of different textures: each shades its share of the light.
-  auto const n = static_cast<std::size_t>(beam_.lanes);
+  auto const n = static_cast<std::size_t>(lanes());
   double* const arriving = out.passed;
-  double* const left = tracer_.arena_.take<double>(n);
-  double* const part = tracer_.arena_.take<double>(n);
-  double* const mirrored = tracer_.arena_.take<double>(n);
-  std::fill_n(left, n, 0.0);
+  double* const left = take_lanes(0.0);
+  double* const part = take_lanes();
+  double* const mirrored = take_lanes();
   std::copy_n(out.mirrored, n, mirrored);
   for (int corner = 0; corner < 3; ++corner) {
     double const share = blend->share[corner];
@@ -120,21 +119,23 @@ void Shader::shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurfac
   out.passed = left;
 }
 
-void Shader::shade_layers(std::vector<int> const& layers, bool double_illuminate, bool carries,
-                          LaneSurface& out) {
+template <int Lanes>
+void Shader<Lanes>::shade_layers(std::vector<int> const& layers, bool double_illuminate,
+                                 bool carries, LaneSurface& out) {
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
     Arena::Scope const scope(tracer_.arena_);
     shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], double_illuminate, carries, out);
-    double const rest = largest(out.passed, beam_.lanes);
+    double const rest = largest(out.passed, lanes());
     if (rest == 0 || (rest <= stage_.adc_bailout && stage_.adc_bailout > 0)) break;
   }
 }
 
-void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
-                         LaneSurface& out) {
+template <int Lanes>
+void Shader<Lanes>::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
+                                LaneSurface& out) {
   CompiledFinish const& finish = layer.finish;
   PigmentValue const pigment = pigment_at(layer, frame_.hit.point);
-  double const opaque = opacity(stage_, pigment, beam_.lanes);
+  double const opaque = opacity(stage_, pigment, lanes());
   if (opaque != 0) add_glow(finish, pigment.colour, opaque, out.passed);
   bool const shines = finish.phong != 0 || finish.specular != 0;
   bool const scatters = opaque != 0 && (finish.diffuse != 0 || finish.diffuse_back != 0);
@@ -142,34 +143,36 @@ void Shader::shade_layer(CompiledLayer const& layer, bool double_illuminate, boo
 
   double* mirror = nullptr;
   if (finish.reflection) {
-    mirror = tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
+    mirror = take_lanes();
     reflectivity(*finish.reflection, pigment.colour, carries, mirror);
-    for (int k = 0; k < beam_.lanes; ++k) {
+    for (int k = 0; k < lanes(); ++k) {
       out.mirrored[k] += mirror[k];
       out.mirrors = out.mirrors || mirror[k] != 0;
     }
     if (carries || out.exponent == 1) out.exponent = finish.reflection->exponent;
     out.explicit_reflection = out.explicit_reflection || carries;
   }
-  for (int k = 0; k < beam_.lanes; ++k) {
+  for (int k = 0; k < lanes(); ++k) {
     out.passed[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
     if (mirror && finish.conserve_energy)
       out.passed[k] *= std::min(1.0, std::max(0.0, 1 - mirror[k]));
   }
 }
 
-PigmentValue Shader::pigment_at(CompiledLayer const& layer, Vec3 const& world_point) {
+template <int Lanes>
+PigmentValue Shader<Lanes>::pigment_at(CompiledLayer const& layer, Vec3 const& world_point) {
   CompiledPigment const& pigment = stage_.pigments[static_cast<std::size_t>(layer.pigment)];
-  if (!pigment.pattern) return plain_pigment(pigment, beam_, tracer_.arena_);
-  return evaluate_pigment(stage_, layer.pigment,
-                          layer.to_texture_linear * world_point + layer.to_texture_offset, beam_,
-                          tracer_.arena_);
+  if (!pigment.pattern) return plain_pigment<Lanes>(pigment, beam_, tracer_.arena_);
+  return evaluate_pigment<Lanes>(stage_, layer.pigment,
+                                 layer.to_texture_linear * world_point + layer.to_texture_offset,
+                                 beam_, tracer_.arena_);
 }
 
-void Shader::add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
-                      double const* passed) {
+template <int Lanes>
+void Shader<Lanes>::add_glow(CompiledFinish const& finish, double const* pigment, double opaque,
+                             double const* passed) {
   if (finish.ambient.empty() && finish.emission.empty()) return;
-  for (int k = 0; k < beam_.lanes; ++k) {
+  for (int k = 0; k < lanes(); ++k) {
     double glow = 0;
     if (!finish.ambient.empty()) glow += finish.ambient[beam_.channel[k]];
     if (!finish.emission.empty()) glow += finish.emission[beam_.channel[k]];
@@ -177,15 +180,17 @@ void Shader::add_glow(CompiledFinish const& finish, double const* pigment, doubl
   }
 }
 
-void Shader::add_lights(CompiledFinish const& finish, double const* pigment, double opaque,
-                        bool double_illuminate, double const* passed) {
+template <int Lanes>
+void Shader<Lanes>::add_lights(CompiledFinish const& finish, double const* pigment, double opaque,
+                               bool double_illuminate, double const* passed) {
   for (auto const& light : stage_.lights)
     add_light(light, finish, pigment, opaque, double_illuminate, passed);
 }
 
-void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
-                       double const* pigment, double opaque, bool double_illuminate,
-                       double const* passed) {
+template <int Lanes>
+void Shader<Lanes>::add_light(CompiledLight const& light, CompiledFinish const& finish,
+                              double const* pigment, double opaque, bool double_illuminate,
+                              double const* passed) {
   Vec3 to_light;
   double distance = 0;
   bool const comes = shadows_ ? shadows_->towards(light, lane_, to_light, distance)
@@ -237,12 +242,11 @@ void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
   Arena::Scope const scope(tracer_.arena_);
   double* left = nullptr;
   if (!light.shadowless) {
-    left = tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
-    std::fill_n(left, beam_.lanes, 1.0);
+    left = take_lanes(1.0);
     if (!visible(light, to_light, distance, left)) return;
   }
   double const tint = finish.metallic != 0 ? finish.metallic * (1 - metallic_falloff(cosine)) : 0;
-  for (int k = 0; k < beam_.lanes; ++k) {
+  for (int k = 0; k < lanes(); ++k) {
     double const arriving = light.value[beam_.channel[k]] * strength * (left ? left[k] : 1);
     double const gloss = shine * (1 + tint * (pigment[k] - 1));
     tracer_.out_[beam_.slot[k]] +=
@@ -250,14 +254,15 @@ void Shader::add_light(CompiledLight const& light, CompiledFinish const& finish,
   }
 }
 
-void Shader::reflectivity(CompiledReflection const& reflection, double const* pigment, bool carries,
-                          double* out) {
+template <int Lanes>
+void Shader<Lanes>::reflectivity(CompiledReflection const& reflection, double const* pigment,
+                                 bool carries, double* out) {
   double const cosine = face_.cos_i;
   double const weight =
       reflection.fresnel || reflection.falloff == 0 ? 0 : std::pow(1 - cosine, reflection.falloff);
   double const tint =
       reflection.metallic != 0 ? reflection.metallic * (1 - metallic_falloff(cosine)) : 0;
-  for (int k = 0; k < beam_.lanes; ++k) {
+  for (int k = 0; k < lanes(); ++k) {
     auto const c = beam_.channel[k];
     double const f = reflection.fresnel        ? (carries ? face_.reflectance[k] : 0)
                      : reflection.falloff == 0 ? 1
@@ -272,8 +277,9 @@ void Shader::reflectivity(CompiledReflection const& reflection, double const* pi
   }
 }
 
-bool Shader::visible(CompiledLight const& light, Vec3 const& to_light, double distance,
-                     double* left) {
+template <int Lanes>
+bool Shader<Lanes>::visible(CompiledLight const& light, Vec3 const& to_light, double distance,
+                            double* left) {
   ++tracer_.counts_.shadow;
   if (shadows_) {
     FanShadows::Way const way = shadows_->way(light, lane_);
@@ -287,12 +293,13 @@ bool Shader::visible(CompiledLight const& light, Vec3 const& to_light, double di
     return false;
   if (stage_.has_filter_shadows) {
     filter_shadow(to_light, distance, left);
-    return largest(left, beam_.lanes) > 0;
+    return any_left(left);
   }
   return true;
 }
 
-void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) {
+template <int Lanes>
+void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, double* left) {
   PathRay way{{frame_.hit.point, to_light, frame_.hit.point_error},
               &frame_.shadow,
               frame_.shadow.through ? inside_after_ : ray_.inside,
@@ -314,18 +321,18 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
     double const travelled = way.travelled + frame.hit.t;
     way.travelled = frame.hit.crossings.empty() ? travelled : 0;
     if (tracer_.medium_of(next) != tracer_.medium_of(way.inside))
-      for (int k = 0; k < beam_.lanes; ++k)
+      for (int k = 0; k < lanes(); ++k)
         left[k] *= distance_fade(medium, beam_.channel[k], travelled);
     for (auto const& crossing : frame.hit.crossings) {
       for (int const number : stage_.surfaces[crossing.primitive].layers) {
         Arena::Scope const scope(tracer_.arena_);
         CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
         PigmentValue const pigment = pigment_at(layer, frame.hit.point);
-        for (int k = 0; k < beam_.lanes; ++k)
+        for (int k = 0; k < lanes(); ++k)
           left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
       }
     }
-    lit = largest(left, beam_.lanes) > 0;
+    lit = any_left(left);
     rest -= frame.hit.t;
     frame.through.on = frame.hit.members;
     frame.through.through = true;
@@ -339,10 +346,20 @@ void Shader::filter_shadow(Vec3 const& to_light, double distance, double* left) 
     rest = std::max(rest, 0.0);
     InsideNode const* const at_lamp = tracer_.travel(way, rest, light);
     Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(at_lamp))];
-    for (int k = 0; k < beam_.lanes; ++k) // the lamp stands in it
+    for (int k = 0; k < lanes(); ++k) // the lamp stands in it
       left[k] *= distance_fade(medium, beam_.channel[k], way.travelled + rest);
   }
   --tracer_.depth_;
+}
+
+LaneSurface Tracer::shade(PathRay const& ray, Beam const& beam, Frame& frame,
+                          LaneInterface const& face, InsideNode const* after, FanShadows* shadows,
+                          std::size_t lane) {
+  if (beam.lanes == 1)
+    return Shader<1>(*this, ray, beam, frame, face, after, shadows, lane).shade();
+  if (beam.lanes == 3)
+    return Shader<3>(*this, ray, beam, frame, face, after, shadows, lane).shade();
+  return Shader<0>(*this, ray, beam, frame, face, after, shadows, lane).shade();
 }
 
 } // namespace abbe::render

@@ -9,6 +9,8 @@ namespace abbe::render {
 
 /// The textures of the surfaces at one hit: adds their own light, and says what they pass and
 /// mirror. Formulas: POV-Ray's (language notes, section 14).
+/// @tparam Lanes of the beam: compiled apart for one wavelength and for r g b; 0: any number
+template <int Lanes>
 class Shader {
 public:
   Shader(Tracer& tracer, PathRay const& ray, Beam const& beam, Tracer::Frame& frame,
@@ -19,7 +21,24 @@ public:
   LaneSurface shade();
 
 private:
-  struct Lit; // light arriving from one lamp
+  /// Constant where it can be: the loops over lanes are most of the work.
+  int lanes() const {
+    if constexpr (Lanes > 0)
+      return Lanes;
+    else
+      return beam_.lanes;
+  }
+  double* take_lanes() { return tracer_.arena_.take<double>(static_cast<std::size_t>(lanes())); }
+  double* take_lanes(double value) {
+    double* const values = take_lanes();
+    for (int k = 0; k < lanes(); ++k) values[k] = value;
+    return values;
+  }
+  bool any_left(double const* values) const {
+    for (int k = 0; k < lanes(); ++k)
+      if (values[k] > 0) return true;
+    return false;
+  }
   void shade_surface(geometry::SurfaceCrossing const& crossing, LaneSurface& out);
   void shade_layers(std::vector<int> const& layers, bool double_illuminate, bool carries,
                     LaneSurface& out);

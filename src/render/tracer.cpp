@@ -228,7 +228,7 @@ void Tracer::add_background(Vec3 const& direction, Beam const& beam) {
   auto* left = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(left, beam.lanes, 1.0);
   for (auto number = stage_.sky_pigments.rbegin(); number != stage_.sky_pigments.rend(); ++number) {
-    PigmentValue const pigment = evaluate_pigment(stage_, *number, point, beam, arena_);
+    PigmentValue const pigment = evaluate_pigment<0>(stage_, *number, point, beam, arena_);
     double const opaque = opacity(stage_, pigment, beam.lanes);
     for (int k = 0; k < beam.lanes; ++k) {
       out_[beam.slot[k]] += beam.throughput[k] * left[k] * opaque * pigment.colour[k]

@@ -105,6 +105,7 @@ public:
 
 private:
   friend class PathRecorder;
+  template <int Lanes>
   friend class Shader;
   friend class FanShadows;
   struct Frame {
@@ -170,6 +171,9 @@ private:
 
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
+  /// The textures at the hit (shader.hpp). @param shadows where the ray is number `lane` of a fan
+  LaneSurface shade(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                    InsideNode const* after, FanShadows* shadows = nullptr, std::size_t lane = 0);
   /// Goes straight on where all surfaces of the hit are displaced.
   void pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after);
   void find_normals(PathRay const& ray, Frame& frame, LaneInterface& face);

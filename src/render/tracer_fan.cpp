@@ -136,11 +136,10 @@ bool Tracer::fan_normals(FanHits const& hits, std::size_t count, geometry::FanVe
       out.set(k, out.get(0));
       continue;
     }
-    Vec3 const point = hits.point.get(k);
-    Vec3 const normal = world.normal(surface.primitive, surface.face, point);
-    if (!flat && normal != world.geometric_normal(surface.primitive, surface.face, point))
-      return false;
-    out.set(k, normal);
+    auto const [smoothed, geometric] =
+        world.normals(surface.primitive, surface.face, hits.point.get(k));
+    if (smoothed != geometric) return false;
+    out.set(k, geometric);
   }
   return true;
 }
@@ -148,16 +147,14 @@ bool Tracer::fan_normals(FanHits const& hits, std::size_t count, geometry::FanVe
 LaneSurface Tracer::shade_lane(PathRay const& ray, Beam const& lane, Frame& here,
                                FanInterface const& met, std::size_t k, LaneInterface& face,
                                InsideNode const* after, FanShadows& shadows) {
-  auto const n = static_cast<std::size_t>(lane.lanes);
   face.normal = face.geometric = met.normal.get(k);
   face.cos_i = met.cos_i[k];
-  face.reflectance = arena_.take<double>(n);
-  face.transmittance = arena_.take<double>(n);
-  face.total = arena_.take<bool>(n);
-  std::fill_n(face.reflectance, n, met.reflectance[k]);
-  std::fill_n(face.transmittance, n, met.transmittance[k]);
-  std::fill_n(face.total, n, met.total[k] != 0);
-  return Shader(*this, ray, lane, here, face, after, &shadows, k).shade();
+  for (int c = 0; c < lane.lanes; ++c) {
+    face.reflectance[c] = met.reflectance[k];
+    face.transmittance[c] = met.transmittance[k];
+    face.total[c] = met.total[k] != 0;
+  }
+  return shade(ray, lane, here, face, after, &shadows, k);
 }
 
 void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
@@ -208,6 +205,9 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   through_lines->direction = fan.lines->direction;
   FanShadows shadows(*this, fan, hits, met.normal, after, here);
   int const each = fan.lanes_each;
+  face.reflectance = arena_.take<double>(static_cast<std::size_t>(each));
+  face.transmittance = arena_.take<double>(static_cast<std::size_t>(each));
+  face.total = arena_.take<bool>(static_cast<std::size_t>(each));
   for (std::size_t k = 0; k < n; ++k) {
     Arena::Scope const of_ray(arena_);
     auto const number = static_cast<int>(k);
@@ -226,7 +226,7 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
       }
     } else {
       PathRay const ray = fan.lane(number);
-      if (k > 0) hits.write(k, here.hit);
+      if (k > 0) hits.write_place(k, here.hit);
       LaneSurface const surface = shade_lane(ray, own, here, met, k, face, after, shadows);
       if (surface.mirrors && surface.exponent != 1 && !face.total[0]) {
         reflect(ray, own, here, face, surface);

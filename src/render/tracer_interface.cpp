@@ -30,8 +30,10 @@ void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face)
                              [](auto const& crossing) { return crossing.entering; });
   if (chosen == crossings.end()) chosen = crossings.begin();
   face.carrier = static_cast<std::size_t>(chosen - crossings.begin());
-  face.geometric = stage_.world->geometric_normal(chosen->primitive, chosen->face, frame.hit.point);
-  face.normal = stage_.world->normal(chosen->primitive, chosen->face, frame.hit.point);
+  auto const [smoothed, geometric] =
+      stage_.world->normals(chosen->primitive, chosen->face, frame.hit.point);
+  face.normal = smoothed;
+  face.geometric = geometric;
   Vec3 const& d = ray.line.direction;
   if (glm::dot(d, face.geometric) > 0) face.geometric = -face.geometric;
   // Corner normals need not agree with the winding of their face.
@@ -97,7 +99,7 @@ void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
       beam.throughput[k] *= distance_fade(before, beam.channel[k], ray.travelled + frame.hit.t);
   find_normals(ray, frame, face);
   find_interface(beam, ray.line.direction, face);
-  LaneSurface const surface = Shader(*this, ray, beam, frame, face, after).shade();
+  LaneSurface const surface = shade(ray, beam, frame, face, after);
   reflect(ray, beam, frame, face, surface);
   transmit(ray, beam, frame, face, surface, after);
   if (face.splits) follow_control(ray, beam, frame, face, surface, after);
@@ -123,7 +125,7 @@ void Tracer::follow_control(PathRay const& ray, Beam const& beam, Frame& frame,
   if (surface.explicit_reflection) {
     // It may mirror by its Fresnel reflectance. Its own light was added with the beam's.
     std::fill_n(slot, n, film_.unused_slot());
-    own = Shader(*this, ray, control, frame, middle, after).shade();
+    own = shade(ray, control, frame, middle, after);
   }
   for (std::size_t k = 0; k < n; ++k) slot[k] = film_.control_slot(jitter, beam.channel[k]);
   reflect(ray, control, frame, middle, own);
