@@ -192,7 +192,7 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
   scratch.proposals.clear();
   Query const query{rays, from, scratch, nearest, scratch.proposals};
   double farthest = nearest.farthest(rays.count);
-  each_solid(FanProbe(rays), mask, 0.0, farthest, [&](SolidId id) {
+  each_solid<FanProbe>(rays, mask, 0.0, farthest, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     if (EndsKernel const* const shape = solid.ends()) {

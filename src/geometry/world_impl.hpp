@@ -89,19 +89,21 @@ struct World::Impl {
     CsgProgram::State* state = solids[id].has_program() ? &scratch.states[state_of[id]] : nullptr;
     return {primitives, ray, from, scratch, state, until};
   }
-  /// visit(solid) for those that what `probe` stands for may meet in [low, high], with a bit of
+  /// visit(solid) for those that what Probe(rays) stands for may meet in [low, high], with a bit of
   /// `mask` and perhaps others; false stops.
-  template <class Probe, class Visit>
-  void each_solid(Probe const& probe, std::uint8_t mask, double low, double const& high,
+  template <class Probe, class Rays, class Visit>
+  void each_solid(Rays const& rays, std::uint8_t mask, double low, double const& high,
                   Visit&& visit) const {
     Group const& group = this->group(mask);
     bool goes_on = true;
-    walk(std::span<BvhNode const>(group.bvh.nodes()),
-         std::span<std::uint32_t const>(group.bvh.items()), probe, low, high,
-         [&](std::uint32_t item) {
-           goes_on = visit(group.finite[item]);
-           return goes_on;
-         });
+    if (!group.finite.empty()) {
+      walk(std::span<BvhNode const>(group.bvh.nodes()),
+           std::span<std::uint32_t const>(group.bvh.items()), Probe(rays), low, high,
+           [&](std::uint32_t item) {
+             goes_on = visit(group.finite[item]);
+             return goes_on;
+           });
+    }
     for (std::size_t i = 0; goes_on && i < group.infinite.size(); ++i) {
       goes_on = visit(group.infinite[i]);
     }

@@ -3,6 +3,7 @@
 #include "image/colour.hpp"
 #include "image/io.hpp"
 #include "image/png_guard.hpp"
+#include "image/srgb8.hpp"
 #include "image/writer.hpp"
 
 #include <algorithm>
@@ -49,6 +50,11 @@ public:
     png_bytep out = row_.data();
     auto const width = static_cast<std::size_t>(display_.width);
     std::size_t const first = static_cast<std::size_t>(y) * width;
+    if (bytes_ == 1 && channels_ == 3) {
+      float const* const light = display_.rgb.data() + 3 * first;
+      for (std::size_t i = 0; i < 3 * width; ++i) *out++ = srgb8_.code(light[i]);
+      return row_.data();
+    }
     for (std::size_t i = first; i < first + width; ++i) {
       double const alpha = display_.alpha.empty() ? 1 : coverage(display_.alpha[i]);
       for (std::size_t c = 0; c < 3; ++c) {
@@ -69,6 +75,7 @@ private:
     return out;
   }
   Image const& display_;
+  Srgb8 const& srgb8_ = Srgb8::instance();
   int bytes_;
   double full_;
   int channels_;

@@ -2,6 +2,7 @@
 #include "image/tone_map.hpp"
 
 #include "image/colour.hpp"
+#include "image/srgb8.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +82,9 @@ Image tone_map(Image const& image, ToneOptions const& options, ToneReport* repor
 
 std::vector<std::uint8_t> encode_srgb8(Image const& display) {
   std::vector<std::uint8_t> codes(display.rgb.size());
-  std::transform(display.rgb.begin(), display.rgb.end(), codes.begin(), [](float value) {
-    return static_cast<std::uint8_t>(std::floor(255 * srgb_encode(value) + 0.5));
-  });
+  Srgb8 const& srgb = Srgb8::instance();
+  std::transform(display.rgb.begin(), display.rgb.end(), codes.begin(),
+                 [&](float value) { return srgb.code(value); });
   return codes;
 }
 

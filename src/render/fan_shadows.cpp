@@ -80,7 +80,8 @@ void FanShadows::find(Ways& out) {
   bool blocked[geometry::fan_width], clear[geometry::fan_width];
   stage.world->occluded_fan(*lines, &frame_.shadow, opaque_shadow_bit, to_lamp, *tracer_.scratch_,
                             blocked, clear);
-  if (stage.has_filter_shadows) {
+  bool const any_clear = std::any_of(clear, clear + n, [](bool is_clear) { return is_clear; });
+  if (stage.has_filter_shadows && any_clear) {
     auto* hits = tracer_.arena_.take<geometry::FanHits>(1);
     stage.world->closest_fan(*lines, &frame_.shadow, filter_shadow_bit, to_lamp, *tracer_.scratch_,
                              *hits);

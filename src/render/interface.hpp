@@ -53,6 +53,19 @@ struct LaneSurface {
   bool explicit_reflection =
       false; ///< a `reflection` item was given: Fresnel does not come unasked
   double exponent = 1;
+
+  /// What returns of a lane's light, and what goes on.
+  double mirrored_weight(LaneInterface const& face, int k, bool any_passes) const {
+    double const asked = mirrored[k];
+    // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
+    if (face.total[k]) return any_passes ? 1 : asked;
+    bool const unasked = face.fresnel && !explicit_reflection;
+    return unasked && passed[k] > 0 ? asked + face.reflectance[k] : asked;
+  }
+  double passed_weight(LaneInterface const& face, int k) const {
+    bool const unasked = face.fresnel && !explicit_reflection;
+    return passed[k] * (face.total[k] ? 0 : unasked ? face.transmittance[k] : 1);
+  }
 };
 
 } // namespace abbe::render

@@ -180,10 +180,6 @@ private:
   void find_interface(Beam const& beam, Vec3 const& direction, LaneInterface& face);
   void reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                LaneSurface const& surface);
-  /// What of a lane's light returns, and what goes on.
-  static double mirrored_weight(LaneInterface const& face, LaneSurface const& surface, int k,
-                                bool any_passes);
-  static double passed_weight(LaneInterface const& face, LaneSurface const& surface, int k);
   static Vec3 mirrored_direction(Vec3 const& direction, LaneInterface const& face);
   void transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                 LaneSurface const& surface, InsideNode const* after);

@@ -233,10 +233,12 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
         std::fill_n(returns, each, 0.0);
       } else {
         bool const passes = any_above(surface.passed, each, 0);
-        for (int c = 0; c < each; ++c)
-          returns[c] = light[c] * mirrored_weight(face, surface, c, passes);
+        bool const dark = !surface.mirrors && !face.fresnel && !face.total[0];
+        if (dark) std::fill_n(returns, each, 0.0);
+        for (int c = 0; !dark && c < each; ++c)
+          returns[c] = light[c] * surface.mirrored_weight(face, c, passes);
       }
-      for (int c = 0; c < each; ++c) light[c] *= passed_weight(face, surface, c);
+      for (int c = 0; c < each; ++c) light[c] *= surface.passed_weight(face, c);
     }
     if (met.below[k] < 0 && any_above(returns, each, stage_.adc_bailout)) {
       face.normal = face.geometric = met.normal.get(k);

@@ -182,20 +182,6 @@ Beam Tracer::doubled(Beam const& beam, int jitter) {
   return out;
 }
 
-double Tracer::mirrored_weight(LaneInterface const& face, LaneSurface const& surface, int k,
-                               bool any_passes) {
-  double const asked = surface.mirrored[k];
-  // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
-  if (face.total[k]) return any_passes ? 1 : asked;
-  bool const unasked = face.fresnel && !surface.explicit_reflection;
-  return unasked && surface.passed[k] > 0 ? asked + face.reflectance[k] : asked;
-}
-
-double Tracer::passed_weight(LaneInterface const& face, LaneSurface const& surface, int k) {
-  bool const unasked = face.fresnel && !surface.explicit_reflection;
-  return surface.passed[k] * (face.total[k] ? 0 : unasked ? face.transmittance[k] : 1);
-}
-
 Vec3 Tracer::mirrored_direction(Vec3 const& incident, LaneInterface const& face) {
   Vec3 const direction = optics::reflected(incident, face.normal);
   double const below = glm::dot(direction, face.geometric);
@@ -217,7 +203,7 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
   bool const passes = any_above(surface.passed, beam.lanes, 0);
   for (int k = 0; k < beam.lanes; ++k) {
     captures = captures && !face.total[k];
-    mirrored.throughput[k] = beam.throughput[k] * mirrored_weight(face, surface, k, passes);
+    mirrored.throughput[k] = beam.throughput[k] * surface.mirrored_weight(face, k, passes);
   }
   if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout))
     return cut(mirrored, beam.lanes);
@@ -258,7 +244,7 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
   Beam passed = beam;
   passed.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   for (int k = 0; k < beam.lanes; ++k)
-    passed.throughput[k] = beam.throughput[k] * passed_weight(face, surface, k);
+    passed.throughput[k] = beam.throughput[k] * surface.passed_weight(face, k);
   if (!any_above(passed.throughput, beam.lanes, stage_.adc_bailout)) return cut(passed, beam.lanes);
   frame.through.on = frame.hit.members;
   frame.through.through = true;
