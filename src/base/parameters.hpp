@@ -2,13 +2,22 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "base/scalar_field.hpp"
 #include "base/vec.hpp"
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace abbe {
+
+/// A transformation of a part of a shape: p -> linear p + offset and its inverse, with bounds of
+/// their errors, entry by entry.
+struct AffineMap {
+  Mat3 linear{1}, inverse_linear{1}, linear_error{0}, inverse_linear_error{0};
+  Vec3 offset{0}, inverse_offset{0}, offset_error{0}, inverse_offset_error{0};
+};
 
 /// What a shape or pattern reads its parameters from, in the order in which the scene gives them.
 /// The leaf libraries read through this interface and so know nothing of the language; `lang`
@@ -32,6 +41,11 @@ public:
   /// Is a number next, and not a vector? Decides between `<i, j, k>, number` and `<i, j, k>, <l
   /// ...>`.
   virtual bool has_number() { return has_value(); }
+  /// The components of one `<...>` that has exactly `count` of them, any number (matrix 12, quartic
+  /// 35 ...); zeros after an error.
+  virtual std::vector<double> components(std::string_view /*name*/, int count) {
+    return std::vector<double>(static_cast<std::size_t>(count));
+  }
   /// A number when one is next.
   std::optional<double> optional_number(std::string_view name) {
     if (!has_value()) return std::nullopt;
@@ -49,6 +63,13 @@ public:
   /// Reads `texture { ... }` (its word included) and returns its number among the textures that
   /// this object gives to its faces; -1 when none is next.
   virtual int face_texture() = 0;
+  /// Takes one modifier of a part of a shape (a component of a blob) when one is next: a
+  /// transformation is appended to `steps`; a texture, pigment, normal or finish makes or changes
+  /// the part's own texture, of which `texture` becomes the number. @return false when none is next
+  virtual bool part_modifier(std::vector<AffineMap>& /*steps*/, int& /*texture*/) { return false; }
+  /// Reads `function { ... }` of x, y, z (its word included); nullptr, reported, when none is next
+  /// or it is wrong.
+  virtual std::shared_ptr<ScalarField const> field() { return nullptr; }
   /// Is the current block (or the whole) used up?
   virtual bool at_end() = 0;
   /// Place of the next item, for report().

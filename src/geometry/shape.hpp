@@ -50,10 +50,13 @@ struct Start {
   bool to_inside = false;
 };
 
-/// Textures of the corners of a face and their shares at a point (they add up to 1).
+/// Textures that meet on a face (those of the corners of a triangle, of the components of a blob)
+/// and their shares at a point (they add up to 1).
 struct FaceBlend {
-  std::array<int, 3> texture;
-  Vec3 share;
+  static constexpr std::size_t most = 8;
+  std::array<int, most> texture;
+  std::array<double, most> share;
+  std::size_t count = 0;
 };
 
 struct Bounds {
@@ -91,7 +94,7 @@ public:
   virtual bool solid() const { return true; }
   /// Number of the face's own texture (Parameters::face_texture), -1 for the object's.
   virtual int face_texture(std::uint32_t) const { return -1; }
-  /// Where a face's corners have different textures; face_texture() is the first of them.
+  /// Where several textures meet on a face; face_texture() is the first of them.
   virtual std::optional<FaceBlend> face_blend(Vec3 const&, std::uint32_t) const {
     return std::nullopt;
   }

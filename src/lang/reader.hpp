@@ -50,9 +50,6 @@ public:
 
   /// The next expression with at least `minimum` components after promotion, at most 5.
   virtual Numeric numeric(std::string_view name, int minimum = 1) = 0;
-  /// The components of one `<...>` that has exactly `count` of them, any number (matrix 12, quartic
-  /// 35 ...); zeros after an error.
-  virtual std::vector<double> components(std::string_view name, int count) = 0;
   virtual std::string string(std::string_view name) = 0;
   /// A file's name: a string in which a backslash is a backslash.
   virtual std::string path(std::string_view name) = 0;

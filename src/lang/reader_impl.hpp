@@ -33,6 +33,8 @@ public:
   bool open(std::string_view word) override;
   void close() override;
   int face_texture() override;
+  bool part_modifier(std::vector<AffineMap>& steps, int& texture) override;
+  std::shared_ptr<ScalarField const> field() override;
   bool at_end() override { return next() == Next::End; }
   Span next_span() override;
   void report(Severity, std::string_view code, std::string_view message, Span) override;

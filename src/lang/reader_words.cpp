@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reader's words, and what to say when they are wrong.
+#include "lang/attach.hpp"
+#include "lang/function_field.hpp"
 #include "lang/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -74,6 +76,60 @@ int ReaderImpl::face_texture() {
   bool const bare = key && frame.kind == Frame::Kind::Block && frame.items->size() == 1;
   close();
   return add_face_texture(bare ? key : nullptr, std::move(layers));
+}
+
+bool ReaderImpl::part_modifier(std::vector<AffineMap>& steps, int& texture) {
+  auto const own = [&]() -> scene::Layers& {
+    return face_textures_[static_cast<std::size_t>(texture)];
+  };
+  geometry::Transform t;
+  if (read_transform(*this, t)) {
+    steps.push_back({t.linear, t.inverse_linear, t.linear_error, t.inverse_linear_error, t.offset,
+                     t.inverse_offset, t.offset_error, t.inverse_offset_error});
+    if (texture >= 0) transform_layers(own(), t);
+    return true;
+  }
+  std::optional<scene::Layers> layers, inner;
+  std::shared_ptr<scene::Interior const> interior;
+  if (texture >= 0) layers = own();
+  Span const at = next_span();
+  if (!read_surface(*this, {layers, inner, interior})) return false;
+  if (inner || interior)
+    report(Severity::Error, "E0621", "an interior belongs to the object, not to a part of it", at);
+  if (!layers) return true;
+  if (texture < 0)
+    texture = add_face_texture(nullptr, std::move(*layers));
+  else
+    own() = std::move(*layers);
+  return true;
+}
+
+std::shared_ptr<ScalarField const> ReaderImpl::field() {
+  Value const* const value = identifier();
+  auto const* held = value ? std::get_if<std::shared_ptr<FunctionValue>>(&value->any) : nullptr;
+  if (!held) {
+    bool const reported = value && value->empty();
+    if (reported)
+      take();
+    else
+      report(Severity::Error, "E0629", "expected function { ... } of x, y and z", next_span());
+    return nullptr;
+  }
+  std::shared_ptr<FunctionValue const> const function = *held;
+  Span const at = next_span();
+  take();
+  if (!function->unsupported.empty()) {
+    report(Severity::Error, "E0901", function->unsupported, at);
+    return nullptr;
+  }
+  if (function->parameters != 3) {
+    report(Severity::Error, "E0622",
+           fmt::format("a function of x, y and z is wanted, not one of {} arguments",
+                       function->parameters),
+           at);
+    return nullptr;
+  }
+  return std::make_shared<FunctionField>(function);
 }
 
 int ReaderImpl::add_face_texture(void const* declared, scene::Layers layers) {

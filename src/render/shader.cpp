@@ -94,22 +94,21 @@ void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, Lan
     return shade_layers(of_face(shape.face_texture(crossing.face)), surface.double_illuminate,
                         carries, out);
 
-  // Corners of different textures: each shades its share of the light.
+  // Each texture shades its share of the light.
   auto const n = static_cast<std::size_t>(lanes());
   double* const arriving = out.passed;
   double* const left = take_lanes(0.0);
   double* const part = take_lanes();
   double* const mirrored = take_lanes();
   std::copy_n(out.mirrored, n, mirrored);
-  for (int corner = 0; corner < 3; ++corner) {
+  for (std::size_t corner = 0; corner < blend->count; ++corner) {
     double const share = blend->share[corner];
     for (std::size_t k = 0; k < n; ++k) {
       part[k] = arriving[k] * share;
       out.mirrored[k] = 0;
     }
     out.passed = part;
-    shade_layers(of_face(blend->texture[static_cast<std::size_t>(corner)]),
-                 surface.double_illuminate, carries, out);
+    shade_layers(of_face(blend->texture[corner]), surface.double_illuminate, carries, out);
     for (std::size_t k = 0; k < n; ++k) {
       left[k] += part[k];
       mirrored[k] += out.mirrored[k] * share;

@@ -4,6 +4,8 @@
 #include "texture/pattern.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace abbe::texture {
 namespace {
@@ -82,6 +84,37 @@ double noise(Vec3 const& point, int generator) {
     return clamp01(0.5 * (1.59 * gradient_noise(point) + 0.985));
   default:
     return clamp01((lattice_noise(point) + 1.05242) * 0.48985582);
+  }
+}
+
+double noise_slope(int generator) {
+  // A corner's share changes by 1.5 at most along an axis, from one corner's value to another's;
+  // the values themselves change by their gradients.
+  static double const lattice = [] {
+    auto const& g = noise_tables().gradient;
+    double most = 0, steep = 0;
+    for (std::size_t m = 0; m + 3 < std::size(g); ++m) {
+      double const slope =
+          std::max(std::abs(g[m + 1]), std::max(std::abs(g[m + 2]), std::abs(g[m + 3])));
+      most = std::max(most, 0.5 * std::abs(g[m]) + std::abs(g[m + 1]) + std::abs(g[m + 2])
+                                + std::abs(g[m + 3]));
+      steep = std::max(steep, slope);
+    }
+    return 1.5 * 2 * most + steep;
+  }();
+  static double const gradient = [] {
+    double most = 0;
+    for (Vec3 const& g : gradient_noise_tables().gradient)
+      most = std::max(most, std::abs(g.x) + std::abs(g.y) + std::abs(g.z));
+    return 1.5 * 2 * most + most;
+  }();
+  switch (generator) {
+  case 1:
+    return lattice;
+  case 3:
+    return 0.5 * 1.59 * gradient;
+  default:
+    return 0.48985582 * lattice;
   }
 }
 

@@ -102,6 +102,8 @@ bool read_modifier(Parameters&, PatternModifiers&);
 
 /// Noise and its kin, exactly as section 9 of the language notes defines them.
 double noise(Vec3 const& point, int generator = 2);
+/// Bound of each component of the gradient of noise().
+double noise_slope(int generator);
 Vec3 vector_noise(Vec3 const& point);
 double turbulence(Vec3 const& point, Turbulence const&, int generator = 2);
 Vec3 vector_turbulence(Vec3 const& point, Turbulence const&);

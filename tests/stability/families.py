@@ -13,7 +13,8 @@ from pictures import Failed, Picture, Renderer
 SHAPES = {0: 'full scene', 1: 'sphere', 2: 'box', 3: 'cylinder', 4: 'cone', 5: 'torus', 6: 'disc',
           7: 'quadric', 8: 'prism', 9: 'mesh', 10: 'triangle', 11: 'difference', 12: 'intersection, merge',
           13: 'glass sphere', 14: 'glass lens (intersection)', 15: 'glass prism',
-          16: 'glass difference of a torus', 17: 'open cylinder', 18: 'quadric in a box'}
+          16: 'glass difference of a torus', 17: 'open cylinder', 18: 'quadric in a box', 19: 'superellipsoid',
+          20: 'blob', 21: 'lathe', 22: 'sphere_sweep', 23: 'isosurface', 24: 'quartic', 25: 'sor'}
 
 
 class Variant(typing.NamedTuple):
@@ -153,7 +154,8 @@ def touching_media(render, full):
 
 
 DISTANT = {0: 'sphere', 1: 'cylinder', 2: 'cone', 3: 'box', 4: 'torus', 5: 'quadric', 6: 'boolean solid',
-           7: 'triangle', 8: 'prism', 9: 'mesh'}
+           7: 'triangle', 8: 'prism', 9: 'mesh', 10: 'superellipsoid', 11: 'blob', 12: 'lathe', 13: 'sphere_sweep',
+           14: 'isosurface', 15: 'quartic', 16: 'sor'}
 
 
 def telephoto(render, full):

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/roots.hpp"
+#include "geometry/shapes/polynomial_surface.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/torus.hpp"
 
@@ -14,7 +16,7 @@ namespace abbe::geometry {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Polynomial = std::vector<Rational>; // ascending powers
+using Exact = std::vector<Rational>; // a polynomial, ascending powers
 
 class Dice {
 public:
@@ -34,27 +36,27 @@ private:
   std::mt19937_64 engine_;
 };
 
-void trim(Polynomial& p) {
+void trim(Exact& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-Polynomial product(Polynomial const& a, Polynomial const& b) {
-  Polynomial out(a.size() + b.size() - 1, Rational(0));
+Exact product(Exact const& a, Exact const& b) {
+  Exact out(a.size() + b.size() - 1, Rational(0));
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j) out[i + j] += a[i] * b[j];
   return out;
 }
 
 /// Distinct real roots of all t, by Sturm's theorem.
-int distinct_roots(Polynomial p) {
+int distinct_roots(Exact p) {
   trim(p);
   if (p.size() < 2) return 0;
-  Polynomial derivative;
+  Exact derivative;
   for (std::size_t i = 1; i < p.size(); ++i) derivative.push_back(p[i] * static_cast<int>(i));
-  std::vector<Polynomial> chain{p, derivative};
+  std::vector<Exact> chain{p, derivative};
   while (chain.back().size() > 1) {
-    Polynomial rest = chain[chain.size() - 2];
-    Polynomial const& by = chain.back();
+    Exact rest = chain[chain.size() - 2];
+    Exact const& by = chain.back();
     while (rest.size() >= by.size()) {
       Rational const factor = rest.back() / by.back();
       std::size_t const shift = rest.size() - by.size();
@@ -83,9 +85,9 @@ std::array<Rational, 3> exact(Vec3 const& v) {
   return {Rational(v.x), Rational(v.y), Rational(v.z)};
 }
 /// |p(t)|^2 over some of the components.
-Polynomial square_of(Ray const& ray, std::initializer_list<int> axes) {
+Exact square_of(Ray const& ray, std::initializer_list<int> axes) {
   auto const o = exact(ray.origin), d = exact(ray.direction);
-  Polynomial out(3, Rational(0));
+  Exact out(3, Rational(0));
   for (int const i : axes) {
     auto const k = static_cast<std::size_t>(i);
     out[0] += o[k] * o[k];
@@ -122,7 +124,7 @@ TEST(Roots, OfASphereAreCountedExactlyDownToTheRoundingOfTheRay) {
         Ray ray = chord_of_sphere(dice, apart, distance);
         Vec3 const middle = ray.origin + ray.direction * distance;
         if (i % 2) ray.origin += glm::normalize(middle) * (apart * apart / 4);
-        Polynomial p = square_of(ray, {0, 1, 2});
+        Exact p = square_of(ray, {0, 1, 2});
         p[0] -= 1;
         // The margin by which the line hits or misses, of the squared distance.
         Rational const margin = (p[1] * p[1] - 4 * p[0] * p[2]) / (4 * p[2]);
@@ -144,13 +146,13 @@ TEST(Roots, OfASphereAreCountedExactlyDownToTheRoundingOfTheRay) {
   }
 }
 
-Polynomial torus_polynomial(Ray const& ray, double major, double minor) {
+Exact torus_polynomial(Ray const& ray, double major, double minor) {
   // (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2)
   Rational const R(major), r(minor);
-  Polynomial all = square_of(ray, {0, 1, 2});
+  Exact all = square_of(ray, {0, 1, 2});
   all[0] += R * R - r * r;
-  Polynomial out = product(all, all);
-  Polynomial const ring = square_of(ray, {0, 2});
+  Exact out = product(all, all);
+  Exact const ring = square_of(ray, {0, 2});
   for (std::size_t i = 0; i < 3; ++i) out[i] -= 4 * R * R * ring[i];
   return out;
 }
@@ -211,6 +213,78 @@ TEST(Roots, OfAThinTorusFarAwayAreTheExactOnes) {
           ++wrong;
       }
       EXPECT_EQ(wrong, 0) << "minor " << minor << ", distance " << distance;
+    }
+  }
+}
+
+/// The polynomial with these roots, its coefficients rounded to doubles.
+std::vector<double> with_roots(std::vector<double> const& roots) {
+  std::vector<double> c{1};
+  for (double const root : roots) {
+    c.push_back(0);
+    for (std::size_t i = c.size(); i-- > 0;) c[i] = (i > 0 ? c[i - 1] : 0) - root * c[i];
+  }
+  return c;
+}
+int found(std::vector<double> const& c) {
+  auto const make = [&]<class N>(N) {
+    Polynomial<N> f;
+    f.degree = static_cast<int>(c.size()) - 1;
+    for (std::size_t i = 0; i < c.size(); ++i) f.c[i] = N(c[i]);
+    return f;
+  };
+  PolynomialRoots roots;
+  if (!line_roots(make(double{}), roots)) line_roots(make(Twofold{}), roots);
+  return roots.count;
+}
+
+/// Sturm's count of the very doubles: whether rounding parted or joined close roots is theirs to
+/// say.
+TEST(Roots, OfPolynomialsAreCountedExactlyDownToASeparationOf1em7) {
+  Dice dice(4);
+  for (int const degree : {2, 3, 4, 6, 10}) {
+    for (int exponent = 1; exponent <= 7; ++exponent) {
+      double const apart = std::pow(10.0, -exponent);
+      int wrong = 0;
+      for (int i = 0; i < (degree > 6 ? 5 : 40); ++i) { // Sturm's chains grow fast
+        double const scale = dice.number(.25, 4);
+        std::vector<double> roots;
+        while (static_cast<int>(roots.size()) + 2 <= degree) {
+          double const root = scale * dice.number(-1, 1);
+          roots.push_back(root);
+          roots.push_back(root * (1 + apart));
+        }
+        if (static_cast<int>(roots.size()) < degree) roots.push_back(scale * dice.number(-1, 1));
+        std::vector<double> const c = with_roots(roots);
+        if (found(c) != distinct_roots(Exact(c.begin(), c.end()))) ++wrong;
+      }
+      EXPECT_EQ(wrong, 0) << "degree " << degree << ", separation " << apart;
+    }
+  }
+}
+
+/// A torus as a quartic, its coefficients exact: chords near its silhouettes, near and far.
+TEST(Roots, OfAQuarticAreCountedExactlyForTheRayAsGiven) {
+  Dice dice(5);
+  std::vector<double> k(35);
+  k[0] = k[20] = k[30] = 1;
+  k[4] = k[7] = k[23] = 2;
+  k[9] = k[32] = -2.5;
+  k[25] = 1.5;
+  k[34] = .5625;
+  auto const torus = make_polynomial(4, k)->shape;
+  for (double const distance : {3.0, 1e3, 1e6}) {
+    for (int exponent = 1; exponent <= 7; ++exponent) {
+      double const apart = std::pow(10.0, -exponent);
+      int wrong = 0;
+      for (int i = 0; i < 40; ++i) {
+        double const around = dice.number(0, 6.28), tube = dice.number(0, 6.28);
+        Vec3 const a = on_torus(1, .5, around, tube), b = on_torus(1, .5, around, tube + apart);
+        Vec3 const d = glm::normalize(b - a);
+        Ray const ray{a - d * distance, d, Vec3(0)};
+        if (found(*torus, ray) != distinct_roots(torus_polynomial(ray, 1, .5))) ++wrong;
+      }
+      EXPECT_EQ(wrong, 0) << "separation " << apart << ", distance " << distance;
     }
   }
 }

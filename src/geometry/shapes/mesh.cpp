@@ -154,7 +154,9 @@ std::optional<FaceBlend> Mesh::face_blend(Vec3 const& point, std::uint32_t face)
   if (data_.textures.empty()) return std::nullopt;
   auto const& textures = data_.textures[face];
   if (textures[0] == textures[1] && textures[0] == textures[2]) return std::nullopt;
-  return FaceBlend{{textures[0], textures[1], textures[2]}, weights(point, face)};
+  Vec3 const share = weights(point, face);
+  return FaceBlend{
+      {textures[0], textures[1], textures[2]}, {share.x, share.y, share.z}, textures.size()};
 }
 
 std::optional<Vec2> Mesh::uv(Vec3 const& point, std::uint32_t face) const {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 /// Small checks that the readers of shapes share.
 namespace abbe::geometry {
@@ -22,6 +23,21 @@ inline std::optional<PlacedShape> or_report(std::optional<PlacedShape> shape,
                                             std::string_view message) {
   if (!shape) parameters.report(Severity::Error, code, message);
   return shape;
+}
+
+/// `n, <x, y> ...`: the number of points and the points; nullopt (reported) when there are fewer.
+inline std::optional<std::vector<Vec2>> read_points(Parameters& parameters, int least) {
+  int const count = parameters.integer("number of points", least, 1 << 24);
+  std::vector<Vec2> points;
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && !parameters.has_value()) {
+      parameters.report(Severity::Error, "E0616",
+                        "there are fewer points than the number of points says");
+      return std::nullopt;
+    }
+    points.push_back(parameters.vec2("point"));
+  }
+  return points;
 }
 
 /// Length without overflow or underflow of the squares.

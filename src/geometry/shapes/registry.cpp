@@ -1,27 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 
+#include "geometry/shapes/blob.hpp"
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/cone.hpp"
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/disc.hpp"
+#include "geometry/shapes/isosurface.hpp"
+#include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh_reading.hpp"
 #include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/polynomial_surface.hpp"
 #include "geometry/shapes/prism.hpp"
 #include "geometry/shapes/quadric.hpp"
+#include "geometry/shapes/sor.hpp"
 #include "geometry/shapes/sphere.hpp"
+#include "geometry/shapes/sphere_sweep.hpp"
+#include "geometry/shapes/superellipsoid.hpp"
 #include "geometry/shapes/torus.hpp"
 
 namespace abbe::geometry {
 
 std::span<ShapeKind const> shape_kinds() {
   static constexpr ShapeKind kinds[] = {
-      {"box", read_box},           {"cone", read_cone},
-      {"cylinder", read_cylinder}, {"disc", read_disc},
-      {"mesh", read_mesh},         {"mesh2", read_mesh2},
-      {"plane", read_plane},       {"prism", read_prism},
-      {"quadric", read_quadric},   {"smooth_triangle", read_smooth_triangle},
-      {"sphere", read_sphere},     {"torus", read_torus},
+      {"blob", read_blob},
+      {"box", read_box},
+      {"cone", read_cone},
+      {"cubic", read_cubic},
+      {"cylinder", read_cylinder},
+      {"disc", read_disc},
+      {"isosurface", read_isosurface},
+      {"lathe", read_lathe},
+      {"mesh", read_mesh},
+      {"mesh2", read_mesh2},
+      {"plane", read_plane},
+      {"poly", read_poly},
+      {"prism", read_prism},
+      {"quadric", read_quadric},
+      {"quartic", read_quartic},
+      {"smooth_triangle", read_smooth_triangle},
+      {"sor", read_sor},
+      {"sphere", read_sphere},
+      {"sphere_sweep", read_sphere_sweep},
+      {"superellipsoid", read_superellipsoid},
+      {"torus", read_torus},
       {"triangle", read_triangle},
   };
   return kinds;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A unit object seen from 10^Distance away, always as large in the picture. Row: 0 sphere, 1 cylinder, 2 cone, 3 box,
-// 4 torus, 5 quadric, 6 a boolean solid, 7 triangle, 8 prism, 9 mesh.
+// 4 torus, 5 quadric, 6 a boolean solid, 7 triangle, 8 prism, 9 mesh,
+// 10 superellipsoid, 11 blob, 12 lathe, 13 sphere_sweep, 14 isosurface, 15 quartic, 16 sor.
 #version 3.7;
 #ifndef (Row) #declare Row = 0; #end
 #ifndef (Distance) #declare Distance = 1; #end
@@ -30,4 +31,16 @@ background { rgb <.25, .35, .5> }
     texture { Plain }
   }
 #break
+#case (10) superellipsoid { <.3, .4> scale .8 texture { Plain } } #break
+#case (11) blob { threshold .5 sphere { <-.4, 0, 0>, 1, 1 } sphere { <.4, .2, 0>, .9, 1 } texture { Plain } } #break
+#case (12) lathe { quadratic_spline 5, <.1, -.9>, <.2, -.8>, <.8, 0>, <.3, .6>, <.5, .9> texture { Plain } } #break
+#case (13)
+  sphere_sweep { b_spline 5, <-2, 0, 0>, .3, <-.7, .5, 0>, .3, <0, -.5, .3>, .2, <.7, .5, 0>, .3, <2, 0, 0>, .3 texture { Plain } }
+#break
+#case (14) isosurface { function { x*x + 2*y*y + z*z - .5 } contained_by { box { -1, 1 } } max_gradient 4 texture { Plain } } #break
+#case (15)
+  quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -1.36, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1.2, 0, 0, 0, 0, 1, 0, -1.36, 0, .36>
+    sturm rotate <30, 0, 20> texture { Plain } }
+#break
+#case (16) sor { 5, <.3, -1>, <.3, -.8>, <.8, 0>, <.3, .6>, <.5, .9> texture { Plain } } #break
 #end

@@ -121,4 +121,5 @@ light_source { Far(<4, 7, -5>), rgb 1 }
   quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -1.36, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1.2, 0, 0, 0, 0, 1, 0, -1.36, 0, .36>
     sturm rotate <30, 0, 20> scale S translate At(<0, 0, 0>) texture { Plain } transform To_place }
 #break
+#case (25) sor { 5, <.3, -1>, <.3, -.8>, <.8, 0>, <.3, .6>, <.5, .9> scale S translate At(<0, 0, 0>) texture { Plain } transform To_place } #break
 #end

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/scalar_field.hpp"
+
+#include <vector>
+
+/// Where a scalar field passes a level along a line, by interval arithmetic: no crossing that is
+/// more than its own rounding is missed (Mitchell 1990).
+///
+/// A piece of the line is left out when the enclosure of the values there, or the mean value form
+/// made with the enclosure of the slope, does not hold the level; it has one root at most when the
+/// enclosure of the slope does not hold zero. Else it is halved, until its ends and middle cannot
+/// be told from the level, or cannot be told from each other.
+namespace abbe::geometry {
+
+struct FieldRoot {
+  double at = 0;
+  double error = 0;
+  bool rising = false;
+};
+
+struct FieldLine {
+  ScalarField const& field;
+  Vec3 origin, direction;
+  double level = 0;
+  /// Where the field is not smooth: changes of side closer than this may go unseen.
+  double resolution = 0;
+  /// Roots are wanted up to the first that is beyond this by more than its error.
+  double enough = 0;
+
+  /// -1 below the level (and undefined: 1).
+  int side(double t) const;
+};
+
+/// Appends the roots in (low, high), ascending.
+void field_roots(FieldLine const& line, double low, double high, std::vector<FieldRoot>& roots);
+
+} // namespace abbe::geometry

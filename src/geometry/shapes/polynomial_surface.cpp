@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/shapes/polynomial_surface.hpp"
+
+#include "geometry/line.hpp"
+#include "geometry/shapes/reading.hpp"
+#include "geometry/shapes/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe::geometry {
+
+namespace {
+
+/// acc <- acc (p + e s) + k, where acc of degree -1 is nothing yet.
+template <class N>
+struct Accumulator {
+  int degree = -1;
+  std::array<N, largest_degree + 1> c;
+
+  void times_linear(N const& p, N const& e, bool constant) {
+    if (degree < 0) return;
+    auto const top = static_cast<std::size_t>(degree);
+    if (!constant) c[top + 1] = e * c[top];
+    for (std::size_t i = top; i > 0; --i) c[i] = constant ? c[i] * p : c[i] * p + c[i - 1] * e;
+    c[0] = c[0] * p;
+    degree += constant ? 0 : 1;
+  }
+  void add(double k) {
+    if (k == 0 && degree < 0) return;
+    c[0] = degree < 0 ? N(k) : c[0] + N(k);
+    degree = std::max(degree, 0);
+  }
+  void add(Accumulator const& other) {
+    for (int i = 0; i <= other.degree; ++i) {
+      auto const k = static_cast<std::size_t>(i);
+      c[k] = i <= degree ? c[k] + other.c[k] : other.c[k];
+    }
+    degree = std::max(degree, other.degree);
+  }
+};
+
+std::size_t coefficient_count(int order) {
+  auto const n = static_cast<std::size_t>(order);
+  return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
+/// 2^k >= x > 0, the smallest.
+double power_of_two_from(double x) {
+  return std::exp2(std::ilogb(x) + 1);
+}
+
+} // namespace
+
+struct PolynomialSurface::Window {
+  Line<double> line;
+  Approach<double> near;
+  double unit = 1;  ///< of t, a power of two
+  double reach = 1; ///< of point + unit direction, per component
+};
+
+PolynomialSurface::PolynomialSurface(int order, std::vector<double> coefficients)
+    : order_(order), coefficients_(std::move(coefficients)), feature_(1) {
+  double largest = 0;
+  for (double const k : coefficients_) largest = std::max(largest, std::fabs(k));
+  double const scale = std::exp2(-std::ilogb(largest));
+  size_.assign(static_cast<std::size_t>(order_) + 1, 0);
+  std::size_t next = 0;
+  for (int a = order_; a >= 0; --a) {
+    for (int b = order_ - a; b >= 0; --b) {
+      for (int c = order_ - a - b; c >= 0; --c) {
+        coefficients_[next] *= scale;
+        size_[static_cast<std::size_t>(a + b + c)] += std::fabs(coefficients_[next++]);
+      }
+    }
+  }
+  int top = order_;
+  while (top > 0 && size_[static_cast<std::size_t>(top)] == 0) --top;
+  // Cauchy's bound of what is not far away, as a power of two: exact, whatever the unit.
+  bool any = false;
+  int exponent = 0;
+  for (int k = 0; k < top; ++k) {
+    double const ratio = size_[static_cast<std::size_t>(k)] / size_[static_cast<std::size_t>(top)];
+    if (!(ratio > 0) || !std::isfinite(ratio)) continue;
+    int const share = top - k, level = std::ilogb(ratio);
+    int const root = (level >= 0 ? level / share : -((share - 1 - level) / share)) + 1;
+    exponent = any ? std::max(exponent, root) : root;
+    any = true;
+  }
+  feature_ = std::exp2(exponent);
+}
+
+double PolynomialSurface::size_within(double reach) const {
+  double sum = 0;
+  for (std::size_t k = size_.size(); k-- > 0;) sum = sum * reach + size_[k];
+  return sum;
+}
+
+template <class N>
+Polynomial<N> PolynomialSurface::along(std::array<N, 3> const& p, std::array<N, 3> const& e) const {
+  bool const still[3] = {rounded(e[0]) == 0, rounded(e[1]) == 0, rounded(e[2]) == 0};
+  Accumulator<N> in_x, in_y, in_z;
+  std::size_t next = 0;
+  in_x.degree = -1;
+  for (int a = order_; a >= 0; --a) {
+    in_y.degree = -1;
+    for (int b = order_ - a; b >= 0; --b) {
+      in_z.degree = -1;
+      for (int c = order_ - a - b; c >= 0; --c) {
+        in_z.times_linear(p[2], e[2], still[2]);
+        in_z.add(coefficients_[next++]);
+      }
+      in_y.times_linear(p[1], e[1], still[1]);
+      in_y.add(in_z);
+    }
+    in_x.times_linear(p[0], e[0], still[0]);
+    in_x.add(in_y);
+  }
+  Polynomial<N> f;
+  f.degree = std::max(in_x.degree, 0);
+  f.c[0] = N(0.0);
+  for (int i = 0; i <= in_x.degree; ++i) {
+    auto const k = static_cast<std::size_t>(i);
+    f.c[k] = in_x.c[k];
+  }
+  return f;
+}
+
+template <class N>
+Polynomial<N> PolynomialSurface::compose(Window const& w) const {
+  std::array<N, 3> p, e;
+  double const o[3] = {w.line.origin.x, w.line.origin.y, w.line.origin.z};
+  double const d[3] = {w.line.direction.x, w.line.direction.y, w.line.direction.z};
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    N const step = N(w.near.t) * N(d[i]);
+    p[i] = N(o[i]) + step;
+    e[i] = N(w.unit * d[i]);
+    off = std::max(off, std::fabs(o[i]) + std::fabs(rounded(step)));
+  }
+  Polynomial<N> f = along(p, e);
+  // Each coefficient comes by at most 3 order multiplications and additions, and what p is off by
+  // moves each power by that share of the reach.
+  f.error = size_within(w.reach)
+            * (8 * (order_ + 2) * roundoff<N> + 4 * order_ * roundoff<N> * off / w.reach);
+  return f;
+}
+
+void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  Window w;
+  w.line = line_of(ray);
+  Vec3 const& d = ray.direction;
+  w.near = approach(w.line, -glm::dot(ray.origin, d) / glm::dot(d, d));
+  Vec3 const p(w.near.point.x, w.near.point.y, w.near.point.z);
+  double const length = vector_length(d), away = vector_length(p);
+  double const wanted = std::max(feature_, away > 0 ? power_of_two_from(away) : 0.0);
+  w.unit = wanted * std::exp2(-std::ilogb(length));
+  w.reach = away + 2 * wanted;
+
+  PolynomialRoots roots;
+  auto const f = compose<double>(w);
+  if (!line_roots(f, roots)) line_roots(compose<Twofold>(w), roots);
+  std::size_t const first = out.size();
+  for (PolynomialRoot const& root : roots) {
+    double const step = root.at * w.unit, t = w.near.t + step;
+    Vec3 const size = glm::abs(gradient(p + step * d));
+    auto const moved = [&](lane::Vec<double> const& by) {
+      return lane::dot({size.x, size.y, size.z}, by);
+    };
+    double const off = moved(w.line.origin_rounding + std::fabs(t) * w.line.direction_rounding);
+    Crossing c;
+    c.t = t;
+    c.error = w.unit * (root.error + root_motion(off, root.slope, root.bend))
+              + gamma_bound(2) * (std::fabs(t) + std::fabs(step));
+    c.slack = w.unit * root_motion(moved(w.line.slack), root.slope, root.bend);
+    c.entering = !root.rising;
+    out.push_back(c);
+  }
+  if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+double PolynomialSurface::value(Vec3 const& p) const {
+  return along<double>({p.x, p.y, p.z}, {0, 0, 0}).c[0];
+}
+
+Vec3 PolynomialSurface::gradient(Vec3 const& p) const {
+  // Horner's scheme with the derivatives carried along.
+  double x = 0, x_x = 0, x_y = 0, x_z = 0;
+  std::size_t next = 0;
+  for (int a = order_; a >= 0; --a) {
+    double y = 0, y_y = 0, y_z = 0;
+    for (int b = order_ - a; b >= 0; --b) {
+      double z = 0, z_z = 0;
+      for (int c = order_ - a - b; c >= 0; --c) {
+        z_z = z_z * p.z + z;
+        z = z * p.z + coefficients_[next++];
+      }
+      y_y = y_y * p.y + y;
+      y_z = y_z * p.y + z_z;
+      y = y * p.y + z;
+    }
+    x_x = x_x * p.x + x;
+    x_y = x_y * p.x + y_y;
+    x_z = x_z * p.x + y_z;
+    x = x * p.x + y;
+  }
+  return {x_x, x_y, x_z};
+}
+
+Vec3 PolynomialSurface::normal(Vec3 const& point, std::uint32_t) const {
+  Vec3 const slope = gradient(point);
+  if (slope == Vec3(0) || !finite(slope)) return {0, 1, 0}; // a singular point has none
+  return unit_vector(slope);
+}
+
+Bounds PolynomialSurface::bounds() const {
+  Bounds all;
+  all.infinite = true;
+  return all;
+}
+
+std::optional<PlacedShape> make_polynomial(int order, std::vector<double> k) {
+  if (order < 2 || order > largest_degree || k.size() != coefficient_count(order))
+    return std::nullopt;
+  bool const all_finite =
+      std::all_of(k.begin(), k.end(), [](double c) { return std::isfinite(c); });
+  bool const varies = std::any_of(k.begin(), k.end() - 1, [](double c) { return c != 0; });
+  if (!all_finite || !varies) return std::nullopt;
+  return PlacedShape{std::make_shared<PolynomialSurface>(order, std::move(k)), {}};
+}
+
+namespace {
+
+std::optional<PlacedShape> read_coefficients(Parameters& parameters, int order) {
+  std::vector<double> k =
+      parameters.components("coefficients", static_cast<int>(coefficient_count(order)));
+  (void)parameters.flag("sturm");
+  return or_report(
+      make_polynomial(order, std::move(k)), parameters, "E0617",
+      "a polynomial surface needs finite coefficients, not all but the last of them zero");
+}
+
+} // namespace
+
+std::optional<PlacedShape> read_poly(Parameters& parameters) {
+  return read_coefficients(parameters, parameters.integer("order", 2, largest_degree));
+}
+std::optional<PlacedShape> read_cubic(Parameters& parameters) {
+  return read_coefficients(parameters, 3);
+}
+std::optional<PlacedShape> read_quartic(Parameters& parameters) {
+  return read_coefficients(parameters, 4);
+}
+
+} // namespace abbe::geometry

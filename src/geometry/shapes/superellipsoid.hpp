@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/parameters.hpp"
+#include "geometry/shape.hpp"
+
+namespace abbe::geometry {
+
+/** @scene superellipsoid { <e, n> }
+The body (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1: a sphere for <1, 1>, a box as both go to 0.
+
+| name | type | unit | default | range |
+|---|---|---|---|---|
+| e, n | numbers | - | - | more than 0 |
+
+    superellipsoid { <.25, .25> }
+*/
+/// Canonical form: as given; within the cube [-1, 1]^3. One face, 0.
+///
+/// Its size at a point, ((|x|^p + |y|^p)^(q/p) + |z|^q)^(1/q) with p = 2/e and q = 2/n, grows with
+/// |x|, |y| and |z|: so its range over a box is that of two corners, without loss, and field_roots
+/// finds where it passes 1. It never overflows, for it is made of ratios to the largest.
+class Superellipsoid final : public Shape {
+public:
+  Superellipsoid(double east, double north);
+  ~Superellipsoid() override;
+  void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override { return {{-1, -1, -1}, {1, 1, 1}, false}; }
+  double ball_radius() const override { return ball_; }
+
+private:
+  class Size;
+  std::shared_ptr<Size const> size_;
+  double ball_;
+};
+
+std::optional<PlacedShape> make_superellipsoid(double east, double north);
+std::optional<PlacedShape> read_superellipsoid(Parameters& parameters);
+
+} // namespace abbe::geometry

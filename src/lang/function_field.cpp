@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "lang/function_field.hpp"
+
+#include "lang/dual_interval.hpp"
+#include "texture/pattern.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace abbe::lang {
+namespace {
+
+using Node = FunctionValue::Node;
+using Kind = Node::Kind;
+constexpr double eps = 1e-10; ///< that of comparisons, as in function.cpp
+
+Interval const everything = Interval::everything();
+
+enum class Truth { No, Yes, Open };
+
+Dual of(Truth truth) {
+  if (truth == Truth::Open) return {{0, 1}, everything};
+  return {truth == Truth::Yes ? 1.0 : 0.0, Interval(0)};
+}
+Truth truth(bool never, bool always) {
+  return always ? Truth::Yes : never ? Truth::No : Truth::Open;
+}
+Truth is_set(Interval const& x) {
+  return truth(x.size() <= eps, x.low > eps || x.high < -eps);
+}
+Truth less(Interval const& a, Interval const& b) {
+  return truth(a.low >= b.high, a.high < b.low);
+}
+/// a <= b + eps
+Truth less_equal(Interval const& a, Interval const& b) {
+  return truth(a.low > b.high + 2 * eps, a.high <= b.low);
+}
+Truth equal(Interval const& a, Interval const& b) {
+  return truth(a.low - b.high > 2 * eps || b.low - a.high > 2 * eps,
+               a.high - b.low < eps && b.high - a.low < eps);
+}
+Truth both(Truth a, Truth b) {
+  return truth(a == Truth::No || b == Truth::No, a == Truth::Yes && b == Truth::Yes);
+}
+Truth negated(Truth a) {
+  return a == Truth::Open ? a : (a == Truth::Yes ? Truth::No : Truth::Yes);
+}
+
+Dual lesser(Dual const& a, Dual const& b) {
+  if (a.v.high < b.v.low) return a;
+  if (b.v.high < a.v.low) return b;
+  return {{std::min(a.v.low, b.v.low), std::min(a.v.high, b.v.high)}, hull(a.d, b.d)};
+}
+
+/// Evaluates nodes on enclosures; `slots` are the parameters and loop variables.
+struct DualMachine {
+  FunctionValue const& function;
+  Dual* slots;
+
+  Dual operand(Node const& node, std::uint32_t i) const {
+    return run(function.operands[node.a + i]);
+  }
+  bool same(std::uint32_t a, std::uint32_t b) const {
+    Node const &x = function.nodes[a], &y = function.nodes[b];
+    if (a == b) return true;
+    if (x.kind != y.kind) return false;
+    if (x.kind == Kind::Parameter) return x.c == y.c;
+    if (x.kind == Kind::Constant) return x.value == y.value;
+    bool const pair = x.kind == Kind::Add || x.kind == Kind::Sub || x.kind == Kind::Mul;
+    return pair && same(x.a, y.a) && same(x.b, y.b);
+  }
+
+  Dual run(std::uint32_t place) const {
+    Node const& node = function.nodes[place];
+    auto const a = [&] { return run(node.a); };
+    auto const b = [&] { return run(node.b); };
+    switch (node.kind) {
+    case Kind::Constant:
+      return {Interval(node.value), Interval(0)};
+    case Kind::Parameter:
+      return slots[node.c];
+    case Kind::Add:
+      return a() + b();
+    case Kind::Sub:
+      return a() - b();
+    case Kind::Mul:
+      return same(node.a, node.b) ? square(a()) : a() * b();
+    case Kind::Div:
+      return a() / b();
+    case Kind::And:
+      return of(both(is_set(a().v), is_set(b().v)));
+    case Kind::Or:
+      return of(negated(both(negated(is_set(a().v)), negated(is_set(b().v)))));
+    case Kind::Less:
+      return of(less(a().v, b().v));
+    case Kind::LessEqual:
+      return of(less_equal(a().v, b().v));
+    case Kind::Equal:
+      return of(equal(a().v, b().v));
+    case Kind::NotEqual:
+      return of(negated(equal(a().v, b().v)));
+    case Kind::GreaterEqual:
+      return of(less_equal(b().v, a().v));
+    case Kind::Greater:
+      return of(less(b().v, a().v));
+    case Kind::Negate:
+      return -a();
+    case Kind::Builtin:
+      return apply(node.c, operand(node, 0), node.b > 1 ? operand(node, 1) : Dual{});
+    case Kind::Noise:
+      return noise(2);
+    case Kind::NoiseGenerator:
+      return slots[3].v.low == slots[3].v.high ? noise(static_cast<int>(slots[3].v.low))
+                                               : Dual{{0, 1}, everything};
+    default:
+      return run_call(node);
+    }
+  }
+
+  Dual noise(int generator) const {
+    double const steep = texture::noise_slope(generator);
+    Vec3 const middle(slots[0].v.middle(), slots[1].v.middle(), slots[2].v.middle());
+    double reach = 0, speed = 0;
+    for (int i = 0; i < 3; ++i) {
+      reach += slots[i].v.width();
+      speed += slots[i].d.size();
+    }
+    double const value = texture::noise(middle, generator);
+    double const off = 0.5 * steep * reach + 0x1p-44; // its own sums, of values below 16
+    Interval const v{std::max(0.0, value - off), std::min(1.0, value + off)};
+    return {v, Interval{-steep * speed, steep * speed}};
+  }
+
+  Dual run_call(Node const& node) const {
+    switch (node.kind) {
+    case Kind::Min:
+    case Kind::Max: {
+      Dual value = operand(node, 0);
+      for (std::uint32_t i = 1; i < node.b; ++i)
+        value = node.kind == Kind::Min ? lesser(value, operand(node, i))
+                                       : -lesser(-value, -operand(node, i));
+      return value;
+    }
+    case Kind::Select:
+      return select(node);
+    case Kind::Sum:
+    case Kind::Product: {
+      Dual const first = operand(node, 0), last = operand(node, 1);
+      if (first.v.low != first.v.high || last.v.low != last.v.high) return {everything, everything};
+      Dual total{Interval(node.kind == Kind::Sum ? 0 : 1), Interval(0)};
+      for (double i = first.v.low; i <= last.v.low + eps; i += 1) {
+        slots[node.c] = {Interval(i), Interval(0)};
+        Dual const term = operand(node, 2);
+        total = node.kind == Kind::Sum ? total + term : total * term;
+      }
+      return total;
+    }
+    default: {
+      FunctionValue const& callee = *function.called[node.c];
+      std::array<Dual, 16> few;
+      std::vector<Dual> many;
+      std::size_t const size = std::max<std::size_t>(callee.slots, node.b);
+      if (size > few.size()) many.resize(size);
+      Dual* const place = size > few.size() ? many.data() : few.data();
+      for (std::uint32_t i = 0; i < node.b; ++i) place[i] = operand(node, i);
+      return DualMachine{callee, place}.run(static_cast<std::uint32_t>(callee.nodes.size() - 1));
+    }
+    }
+  }
+
+  Dual select(Node const& node) const {
+    Interval const which = operand(node, 0).v;
+    bool const low = which.low<0, zero = which.holds(0), high = which.high> 0;
+    bool const pair = node.b == 3;
+    Dual result;
+    int branches = 0;
+    auto const take = [&](std::uint32_t i) {
+      Dual const branch = operand(node, i);
+      result = branches++ == 0 ? branch : Dual{hull(result.v, branch.v), everything};
+    };
+    if (low) take(1);
+    if (pair ? zero || high : zero) take(2);
+    if (!pair && high) take(3);
+    return branches == 0 ? Dual{everything, everything} : result;
+  }
+};
+
+bool smooth_function(FunctionValue const& function) {
+  for (Node const& node : function.nodes) {
+    bool const step = node.kind >= Kind::And && node.kind <= Kind::Greater;
+    bool const jump =
+        node.kind == Kind::Select || node.kind == Kind::Noise || node.kind == Kind::NoiseGenerator;
+    if (step || jump) return false;
+  }
+  for (auto const& called : function.called)
+    if (!smooth_function(*called)) return false;
+  return true;
+}
+
+} // namespace
+
+FunctionField::FunctionField(std::shared_ptr<FunctionValue const> function)
+    : function_(std::move(function)), smooth_(smooth_function(*function_)) {}
+
+double FunctionField::value(Vec3 const& point) const {
+  double const arguments[3] = {point.x, point.y, point.z};
+  return evaluate_function(*function_, arguments).c[0];
+}
+
+ScalarField::Along FunctionField::along(Vec3 const& origin, Vec3 const& direction,
+                                        Interval const& part) const {
+  std::array<Dual, 16> few;
+  std::vector<Dual> many;
+  if (function_->slots > few.size()) many.resize(function_->slots);
+  Dual* const slots = many.empty() ? few.data() : many.data();
+  for (int i = 0; i < 3; ++i) {
+    Interval const d(direction[i]);
+    slots[i] = {d.low == 0 ? Interval(origin[i]) : Interval(origin[i]) + d * part, d};
+  }
+  Dual const result =
+      DualMachine{*function_, slots}.run(static_cast<std::uint32_t>(function_->nodes.size() - 1));
+  auto const sound = [](Interval const& x) { return x.low <= x.high ? x : everything; };
+  return {sound(result.v), sound(result.d)};
+}
+
+Vec3 FunctionField::gradient(Vec3 const& point) const {
+  Vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    Vec3 axis(0);
+    axis[i] = 1;
+    Interval const slope = along(point, axis, Interval(0)).slope;
+    if (slope.width() <= 1e-6 * slope.size()) {
+      result[i] = slope.middle();
+      continue;
+    }
+    // A kink, a step or noise: the chord over some of the digits.
+    double const h = 0x1p-20 * (1 + std::fabs(point[i]));
+    result[i] = (value(point + h * axis) - value(point - h * axis)) / (2 * h);
+  }
+  return result;
+}
+
+} // namespace abbe::lang
