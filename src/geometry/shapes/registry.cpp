@@ -10,6 +10,7 @@
 #include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh_reading.hpp"
 #include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/polynomial_surface.hpp"
 #include "geometry/shapes/prism.hpp"
 #include "geometry/shapes/quadric.hpp"
@@ -35,6 +36,7 @@ std::span<ShapeKind const> shape_kinds() {
       {"mesh2", read_mesh2},
       {"plane", read_plane},
       {"poly", read_poly},
+      {"polygon", read_polygon},
       {"prism", read_prism},
       {"quadric", read_quadric},
       {"quartic", read_quartic},

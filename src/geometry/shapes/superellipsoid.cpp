@@ -2,12 +2,14 @@
 #include "geometry/shapes/superellipsoid.hpp"
 
 #include "geometry/field_roots.hpp"
+#include "geometry/shapes/bracket.hpp"
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abbe::geometry {
 
@@ -69,6 +71,11 @@ public:
     return {size, slope};
   }
 
+  /// Where both powers are at least 1, the size is a norm: along a line it falls, then rises.
+  bool convex() const { return p_ >= 1 && q_ >= 1; }
+  bool convex_roots(FieldLine const& line, double low, double high,
+                    std::vector<FieldRoot>& roots) const;
+
 private:
   /// (part / whole)^(k - 1), 0 <= part <= whole.
   static Interval share(Interval const& part, Interval const& whole, double k) {
@@ -90,6 +97,63 @@ private:
 
   double p_, q_;
 };
+
+/// The short way: tangents from both sides part what can be inside from what cannot (Kelley).
+/// @return false, with nothing appended, where rounding could decide: for field_roots
+bool Superellipsoid::Size::convex_roots(FieldLine const& line, double low, double high,
+                                        std::vector<FieldRoot>& roots) const {
+  auto const at = [&](double t) {
+    Vec3 const p = line.origin + t * line.direction;
+    return std::pair{value(p) - 1, glm::dot(gradient(p), line.direction)};
+  };
+  // Of values near 1 or below; those above only part more.
+  double const doubt = 4 * library * gamma_bound(2);
+  auto left = at(low), right = at(high);
+  double a = low, b = high, inner = low;
+  bool found = false;
+  for (int i = 0; i < 60 && !found; ++i) {
+    if (!(left.second < 0 && right.second > 0)) {
+      // It falls or rises all the way from an end that is outside.
+      return left.second > 0 && left.first > doubt ? true : right.second < 0 && right.first > doubt;
+    }
+    // Where the tangents meet, the size is not below them.
+    double const meet = (right.first - left.first + left.second * a - right.second * b)
+                        / (left.second - right.second);
+    double const bound = left.first + left.second * (meet - a);
+    if (bound > doubt * (2 + std::fabs(left.first) + std::fabs(right.first))) return true;
+    double const next = meet > a && meet < b ? meet : 0.5 * (a + b);
+    auto const middle = at(next);
+    if (!(next > a && next < b)) return false;
+    if (middle.first < -doubt) {
+      found = true;
+      inner = next;
+    } else if (middle.second < 0) {
+      a = next;
+      left = middle;
+    } else {
+      b = next;
+      right = middle;
+    }
+  }
+  if (!found) return false;
+  for (bool const rising : {false, true}) {
+    double const from = rising ? inner : a, to = rising ? b : inner;
+    if (!((rising ? right : left).first > doubt)) {
+      roots.clear();
+      return false;
+    }
+    FieldRoot root;
+    root.rising = rising;
+    root.at = bracketed_root(at, from, to, rising);
+    Along const here = along(line.origin, line.direction, Interval(root.at));
+    double const steep =
+        here.slope.holds(0) ? 0 : std::min(std::fabs(here.slope.low), std::fabs(here.slope.high));
+    double const error = steep > 0 ? 2 * here.value.width() / steep : to - from;
+    root.error = std::min(error, to - from) + 2 * unit_roundoff * std::fabs(root.at);
+    roots.push_back(root);
+  }
+  return true;
+}
 
 Superellipsoid::Superellipsoid(double east, double north)
     : size_(std::make_shared<Size>(east, north)), ball_(std::sqrt(3.0) * (1 + gamma_bound(8))) {}
@@ -123,9 +187,11 @@ void Superellipsoid::crossings(Ray const& ray, Start const* start, Crossings& ou
       double const at = -line.origin[i] / line.direction[i];
       if (at > stops[0] && at < stops[1]) stops[count++] = at;
     }
-    std::sort(stops, stops + count);
-    for (int i = 0; i + 1 < count; ++i) {
-      if (stops[i] < stops[i + 1]) field_roots(line, stops[i], stops[i + 1], roots);
+    if (!(size_->convex() && size_->convex_roots(line, stops[0], stops[1], roots))) {
+      std::sort(stops, stops + count);
+      for (int i = 0; i + 1 < count; ++i) {
+        if (stops[i] < stops[i + 1]) field_roots(line, stops[i], stops[i + 1], roots);
+      }
     }
     for (FieldRoot const& root : roots) {
       Vec3 const at = line.origin + root.at * line.direction;
