@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "render/camera.hpp"
+#include "table_scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace abbe::render::testing {
+namespace {
+
+constexpr int size = 40;
+
+geometry::Ray ray_of(Stage const& stage, int x, int y) {
+  return camera_ray(stage.camera, x + 0.5, y + 0.5, size, size);
+}
+
+/// Light, rays and losses of samples that are traced together, in groups of `width`, are those of
+/// each alone, bit for bit.
+void expect_same(scene::Scene const& scene, std::size_t width) {
+  auto const plan = plan::make_plan(scene, {});
+  ASSERT_TRUE(plan);
+  Stage const stage = compile(scene, *plan);
+  Tracer alone(stage), together(stage);
+  ASSERT_TRUE(together.together());
+  auto const channels = static_cast<std::size_t>(stage.channels);
+  std::vector<double> bands(channels), bands_together(channels);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x + static_cast<int>(width) <= size; x += static_cast<int>(width)) {
+      geometry::FanLines rays;
+      rays.count = width;
+      for (std::size_t k = 0; k < width; ++k) {
+        auto const ray = ray_of(stage, x + static_cast<int>(k), y);
+        rays.origin.set(k, ray.origin);
+        rays.direction.set(k, ray.direction);
+        rays.origin_error.set(k, ray.origin_error);
+      }
+      rays.fill();
+      together.samples(rays);
+      for (std::size_t k = 0; k < width; ++k) {
+        Vec3 const one =
+            alone.sample(ray_of(stage, x + static_cast<int>(k), y), {RandomKey(1), 0}, bands);
+        ASSERT_EQ(together.light_of(k, bands_together), one) << x << ' ' << y << ' ' << k;
+        ASSERT_EQ(bands_together, bands);
+      }
+    }
+  }
+  EXPECT_EQ(together.counts().total(), alone.counts().total());
+  EXPECT_EQ(together.cut_light().paths, alone.cut_light().paths);
+  EXPECT_EQ(together.cut_light().sum, alone.cut_light().sum);
+  EXPECT_EQ(together.cut_light().worst_sample, alone.cut_light().worst_sample);
+}
+
+TEST(Together, SamplesOfRgbAreThoseOfEachAlone) {
+  for (std::size_t const width : {8, 5, 2}) expect_same(table(none(), false), width);
+}
+TEST(Together, SamplesOfBandsAreThoseOfEachAlone) {
+  for (std::size_t const width : {8, 3}) expect_same(table(deterministic(), true), width);
+}
+TEST(Together, NotWhereSamplesHaveWavelengthsOfTheirOwn) {
+  auto const scene = table(stochastic(), true);
+  auto const plan = plan::make_plan(scene, {});
+  ASSERT_TRUE(plan);
+  Stage const stage = compile(scene, *plan);
+  EXPECT_FALSE(Tracer(stage).together());
+}
+
+} // namespace
+} // namespace abbe::render::testing
