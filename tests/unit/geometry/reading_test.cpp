@@ -161,7 +161,7 @@ TEST(Reading, FaceTexturesFollowTheFaces) {
   ASSERT_TRUE(blend);
   EXPECT_EQ(blend->texture[1], 1);
   // <.8, .8> = .2 <1, 0> + .6 <1, 1> + .2 <0, 1>
-  EXPECT_NEAR(blend->share.y, .6, 1e-15);
+  EXPECT_NEAR(blend->share[1], .6, 1e-15);
 }
 
 TEST(World, PatchesShowWhereTheRestOfTheTreeAllows) {
