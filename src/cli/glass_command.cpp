@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
+#include "cli/glass_of_name.hpp"
 #include "cli/scene_arguments.hpp"
 #include "lang/evaluate.hpp"
 #include "optics/bands.hpp"
@@ -46,28 +47,6 @@ int list(Arguments const& arguments) {
   return 0;
 }
 
-/// A glass as a scene gets it: the catalogue is written in the scene language.
-std::shared_ptr<optics::Glass const> load(std::string const& name, int& status) {
-  lang::EvaluateOptions options;
-  options.stdlib_dir = stdlib_dir();
-  if (name.find_first_of("\"\\\n\r") != std::string::npos) {
-    status = fail({"E0413", "a glass has no such name: '" + name + "'"}, 1);
-    return nullptr;
-  }
-  auto const evaluated = lang::evaluate_text(
-      "--glass", "sphere { 0, 1 interior { glass { \"" + name + "\" } } }\n", options);
-  for (auto const& diagnostic : evaluated.diagnostics)
-    if (diagnostic.severity == Severity::Error && diagnostic.code != "E0412") {
-      status = fail({diagnostic.code, diagnostic.message}, 1);
-      return nullptr;
-    }
-  if (evaluated.scene.objects.empty() || !evaluated.scene.objects[0].interior) {
-    status = fail({"E0413", "no glass '" + name + "'"}, 1);
-    return nullptr;
-  }
-  return evaluated.scene.objects[0].interior->glass;
-}
-
 json to_json(optics::Glass const& glass, std::vector<double> const& at_nm) {
   auto const optional = [](std::optional<double> const& value) {
     return value ? json(*value) : json(nullptr);
@@ -111,17 +90,16 @@ void print_text(optics::Glass const& glass, json const& data) {
 }
 
 int show(Arguments& arguments) {
-  int status = 0;
-  auto const glass = load(arguments.name, status);
-  if (!glass) return status;
+  auto const glass = glass_of_name(arguments.name);
+  if (!glass) return fail(glass.error(), 1);
   if (arguments.at_nm.empty())
     arguments.at_nm = {404.6561,          435.8343, optics::f_line_nm, 546.074,
                        optics::d_line_nm, 632.8,    optics::c_line_nm, 706.5188};
-  auto const data = to_json(*glass, arguments.at_nm);
+  auto const data = to_json(**glass, arguments.at_nm);
   if (arguments.as_json)
     fmt::print("{}\n", data.dump(2));
   else
-    print_text(*glass, data);
+    print_text(**glass, data);
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "image/writer.hpp"
 #include "render/checkpoint.hpp"
 #include "render/render.hpp"
+#include "study/target.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -24,6 +25,8 @@ struct Arguments {
   std::string gamut = "standard";
   double exposure_ev = 0;
   bool half = false;
+  study::Target target;
+  std::string time_text;
   std::string stats, cost_map; ///< files; empty: not asked for
   bool checkpoint = false, no_checkpoint = false, resume = false;
 };
@@ -85,6 +88,17 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
       ->check(CLI::Range(0.0, 3.0))
       ->capture_default_str();
+  app.add_option(
+         "--error", arguments.target.delta_e,
+         "choose mode, bands and anti-aliasing for this mean CIEDE2000 (those given are kept)")
+      ->type_name("DE")
+      ->check(CLI::Range(0.01, 50.0));
+  app.add_option("--time", arguments.time_text,
+                 "choose them for this time of the clock: seconds, or as 30s, 5m")
+      ->type_name("TIME")
+      ->check(
+          [&](std::string const& text) { return parse_duration(text, arguments.target.seconds); })
+      ->excludes("--error");
   app.add_option("--seed", options.seed, "of the stochastic dispersion mode")
       ->capture_default_str();
   app.add_option("--region", arguments.region, "render this part only; x1, y1 not included")
@@ -261,6 +275,34 @@ int write_records(Arguments const& arguments, RenderStats stats, Stopwatch const
   return 0;
 }
 
+/// --error and --time: takes over what suits them, and says so. The exit status, 0: go on.
+int choose(Arguments& arguments, lang::Evaluated const& evaluated) {
+  auto& options = arguments.options;
+  auto const& target = arguments.target;
+  auto const choice =
+      study::choose_setting(evaluated.scene, overrides_of(arguments.scene), options, target);
+  if (interrupted()) return 130;
+  if (!choice) return fail(choice.error(), 1);
+  if (choice->bands && !arguments.scene.bands) arguments.scene.bands = choice->bands;
+  if (!choice->dispersion.empty()) arguments.scene.dispersion = choice->dispersion;
+  options.anti_aliasing = choice->aa;
+  if (arguments.scene.quiet) return 0;
+  fmt::print(stderr,
+             "abbe: {}: expected error {:.3g} (mean CIEDE2000), about {:.2g} s; the {} of {} "
+             "settings tried on {:.2g} % of the picture\n",
+             choice->text, choice->expected_delta_e, choice->expected_s,
+             target.seconds > 0 ? "closest in the time"
+             : choice->reached  ? "one with the fewest rays"
+                                : "closest",
+             choice->probes - 1, 100 * choice->probe_share);
+  if (!choice->reached)
+    fmt::print(stderr, "abbe: the {} cannot be reached with what may be chosen\n",
+               target.seconds > 0 ? "time" : "error");
+  else if (target.delta_e > 0 && choice->expected_delta_e < 0.75 * target.delta_e)
+    fmt::print(stderr, "abbe: nothing cheaper is less exact than asked for\n");
+  return 0;
+}
+
 int render_scene(Arguments& arguments) {
   if (arguments.output.empty())
     arguments.output = std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
@@ -278,14 +320,16 @@ int render_scene(Arguments& arguments) {
   int status = 0;
   auto const evaluated = load_scene(arguments.scene, status);
   if (!evaluated) return status;
-  auto const plan = plan_scene(*evaluated, arguments.scene, status);
-  if (!plan) return status;
-
   render::RenderOptions& options = arguments.options;
   options.width = arguments.scene.width;
   options.height = arguments.scene.height;
-  options.spectral_output = arguments.scene.spectral;
   options.stop = &interrupted();
+  if (arguments.target.delta_e > 0 || arguments.target.seconds > 0)
+    if (int const failed = choose(arguments, *evaluated)) return failed;
+  auto const plan = plan_scene(*evaluated, arguments.scene, status);
+  if (!plan) return status;
+
+  options.spectral_output = arguments.scene.spectral;
   std::vector<float> rays_of_pixels;
   if (!arguments.cost_map.empty()) options.rays_of_pixels = &rays_of_pixels;
   auto const checkpoint = make_checkpoint(arguments, *evaluated);
@@ -330,6 +374,7 @@ int run_render(int argc, char** argv) {
   CLI::App app("Renders a scene.", "abbe render");
   add_options(app, arguments);
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  arguments.target.keep_aa = app.count("--aa") + app.count("--aa-method") > 0;
   return render_scene(arguments);
 }
 

@@ -19,11 +19,6 @@ extern "C" void on_interrupt(int) {
   if (stop_requested.exchange(true)) _exit(130);
 }
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-}
-
 std::string check_declaration(std::string const& text) {
   auto const equals = text.find('=');
   if (equals == std::string::npos || equals == 0) return "expected NAME=VALUE, got '" + text + "'";
@@ -39,6 +34,11 @@ std::string check_declaration(std::string const& text) {
 }
 
 } // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
 
 std::filesystem::path stdlib_dir() {
   if (char const* named = std::getenv("ABBE_STDLIB")) return named;

@@ -48,6 +48,9 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
 /// Where abbe's own includes and catalogues are: $ABBE_STDLIB, else where it was built.
 std::filesystem::path stdlib_dir();
 
+/// Ctrl-C and SIGTERM set interrupted() from now on. load_scene does it.
+void catch_interrupts();
+
 /// Set by Ctrl-C (and SIGTERM) once load_scene was called; a second Ctrl-C ends at once.
 std::atomic<bool> const& interrupted();
 

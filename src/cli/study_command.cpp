@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
 #include "cli/identity.hpp"
+#include "cli/paper_command.hpp"
 #include "cli/scene_arguments.hpp"
 #include "study/report.hpp"
 #include "study/study.hpp"
@@ -164,10 +165,15 @@ int run(Arguments& arguments, std::string const& command) {
 } // namespace
 
 int run_study(int argc, char** argv) {
+  if (std::any_of(argv + 1, argv + argc,
+                  [](char const* word) { return std::string_view(word) == "--paper"; }))
+    return run_paper(argc, argv);
   Arguments arguments;
   CLI::App app(
       "Renders a scene under many settings and measures what each costs and how far it is from a\n"
-      "reference: a table, and study.json, study.csv and report.html in a folder.",
+      "reference: a table, and study.json, study.csv and report.html in a folder.\n"
+      "`abbe study --paper` makes docs/paper.md instead: the figures and the timing table of the "
+      "paper.",
       "abbe study");
   add_options(app, arguments);
   auto const command = words_of(argc, argv);

@@ -376,4 +376,17 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
   return Frame(stage, options, WorkingSpace(scene.settings)).run();
 }
 
+std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,
+                                         RenderOptions options,
+                                         std::vector<Region> const& regions) {
+  Stage stage = compile(scene, plan);
+  if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
+  std::vector<RenderResult> results;
+  for (auto const& region : regions) {
+    options.region = region;
+    results.push_back(Frame(stage, options, WorkingSpace(scene.settings)).run());
+  }
+  return results;
+}
+
 } // namespace abbe::render

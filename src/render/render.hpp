@@ -83,4 +83,8 @@ struct RenderResult {
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options);
 
+/// Parts of it, each as RenderOptions::region would give it, with the scene made ready once.
+std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,
+                                         RenderOptions options, std::vector<Region> const& regions);
+
 } // namespace abbe::render

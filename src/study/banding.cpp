@@ -77,7 +77,9 @@ DispersionField dispersion_field(image::Image const& reference) {
     double const angle = 0.5 * std::atan2(2 * t.xy, t.xx - t.yy);
     field.dx.push_back(static_cast<float>(std::cos(angle)));
     field.dy.push_back(static_cast<float>(std::sin(angle)));
-    field.weight.push_back(static_cast<float>(std::hypot(2 * t.xy, t.xx - t.yy)));
+    double const apart = std::hypot(2 * t.xy, t.xx - t.yy), sum = t.xx + t.yy;
+    field.weight.push_back(static_cast<float>(std::sqrt(0.5 * (sum + apart))
+                                              - std::sqrt(std::max(0.0, 0.5 * (sum - apart)))));
   }
   return field;
 }

@@ -12,7 +12,7 @@ namespace abbe::study {
 struct DispersionField {
   int width = 0, height = 0;
   std::vector<float> dx, dy; ///< unit vectors, either sign
-  std::vector<float> weight; ///< difference of the tensor's eigenvalues; 0: no direction
+  std::vector<float> weight; ///< difference of the roots of its eigenvalues; 0: no direction
 };
 DispersionField dispersion_field(image::Image const& reference);
 

@@ -22,6 +22,8 @@ constexpr double short_run_s = 3;
 constexpr double reference_share = 0.35;
 /// Error against depth is looked at in a picture smaller by this, both ways.
 constexpr int depth_shrink = 4;
+/// Of the budget: settings that would take this too wait for the depths and the maps of rays.
+constexpr double depth_share = 0.2;
 constexpr int depth_bands = 8;
 constexpr int cost_map_shrink = 2;
 
@@ -61,9 +63,12 @@ public:
     for (auto& setting : result_.settings) // what is cheap, to learn what things cost
       if (setting.setting.value <= 8 && setting.setting.aa == "off") run_seed(setting, 0);
     if (auto const error = make_reference()) return *error;
+    reserve_s_ = depth_share * options_.budget_s;
     run_by_cost(0);
+    reserve_s_ = 0;
     run_depths();
     run_cost_maps();
+    run_by_cost(0);
     for (int seed = 1; seed < std::max(options_.seeds, repeats); ++seed)
       run_by_cost(static_cast<std::uint64_t>(seed));
     measure();
@@ -119,9 +124,9 @@ private:
     Unit const unit = unit_of(result.setting, seed);
     if (!runner_.find(unit)) {
       auto const expected = expected_s(result.setting);
-      double const left = runner_.left_s();
+      double const left = runner_.left_s() - reserve_s_;
       if (left <= 0 || (expected && *expected > left)) {
-        if (seed == 0)
+        if (seed == 0 && reserve_s_ == 0)
           result.skipped = expected ? fmt::format("would take about {:.0f} s, {:.0f} s were left",
                                                   *expected, std::max(0.0, left))
                                     : std::string("the budget is spent");
@@ -273,6 +278,7 @@ private:
   }
 
   void run_cost_maps() {
+    std::vector<std::string> missing;
     for (auto const& result : result_.settings) {
       double const pixels = cost_map_shrink * cost_map_shrink;
       bool const fits = 2 * result.wall_s / pixels < runner_.left_s();
@@ -280,10 +286,11 @@ private:
       Unit const unit = cost_map_unit(result.setting);
       if (runner_.find(unit)) continue;
       tell("rays a pixel of " + result.setting.name);
-      if (!fits || !runner_.run(unit))
-        result_.notes.push_back(
-            fmt::format("No map of the rays of {}: the budget is spent.", result.setting.name));
+      if (!fits || !runner_.run(unit)) missing.push_back(result.setting.name);
     }
+    if (!missing.empty())
+      result_.notes.push_back(
+          fmt::format("No map of rays (the budget is spent): {}.", fmt::join(missing, ", ")));
   }
 
   std::vector<int> depths() const {
@@ -338,16 +345,18 @@ private:
   }
 
   void say_what_is_missing() {
+    std::vector<std::string> few;
     for (auto const& result : result_.settings) {
       if (!result.skipped.empty())
         result_.notes.push_back(
             fmt::format("Skipped: {} ({}).", result.setting.name, result.skipped));
       else if (result.setting.family->stochastic
                && result.runs.size() < static_cast<std::size_t>(options_.seeds))
-        result_.notes.push_back(fmt::format("{}: {} of {} seeds fitted in the budget.",
-                                            result.setting.name, result.runs.size(),
-                                            options_.seeds));
+        few.push_back(fmt::format("{} ({})", result.setting.name, result.runs.size()));
     }
+    if (!few.empty())
+      result_.notes.push_back(fmt::format("Fewer than {} seeds fitted in the budget: {}.",
+                                          options_.seeds, fmt::join(few, ", ")));
   }
 
   StudyOptions const& options_;
@@ -355,6 +364,7 @@ private:
   StudyResult result_;
   int count_ = 0;
   int reference_bands_ = 0;
+  double reserve_s_ = 0; ///< of the budget, not for further settings now
 };
 
 } // namespace

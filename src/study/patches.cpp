@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "study/patches.hpp"
+
+#include "base/random.hpp"
+#include "image/colour.hpp"
+#include "image/tone_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sys/resource.h>
+
+namespace abbe::study {
+namespace {
+
+constexpr int side = 8;
+constexpr int count = 128;
+
+double cpu_now() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+Vec3 lab_of(Vec3 rgb) {
+  return image::xyz_to_lab(
+      image::linear_srgb_to_xyz(image::map_to_gamut(rgb, image::Gamut::Standard)));
+}
+
+} // namespace
+
+Patches spread_patches(int width, int height) {
+  Patches out;
+  double const area = static_cast<double>(width) * height;
+  int const across = std::max(
+      1, static_cast<int>(std::lround(std::sqrt(count * width / static_cast<double>(height)))));
+  int const down = std::max(1, count / across);
+  if (area <= whole_pixels || width < across * side || height < down * side) {
+    out.regions.push_back({0, 0, width, height});
+    out.pixels = area;
+    return out;
+  }
+  for (int j = 0; j < down; ++j)
+    for (int i = 0; i < across; ++i) {
+      RandomKey const key = RandomKey(1).child(static_cast<std::uint64_t>(j * across + i));
+      auto const place = [](int cell, int cells, int size, double u) {
+        double const lo = static_cast<double>(cell) * size / cells;
+        double const room = static_cast<double>(size) / cells - side;
+        return std::clamp(static_cast<int>(lo + u * room), 0, size - side);
+      };
+      int const x = place(i, across, width, key.uniform(0));
+      int const y = place(j, down, height, key.uniform(1));
+      out.regions.push_back({x, y, x + side, y + side});
+      out.pixels += side * side;
+    }
+  return out;
+}
+
+Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
+                     render::RenderOptions const& options, Patches const& patches) {
+  Probe probe;
+  double const begin = cpu_now();
+  // A pixel more on each side: method 1 compares with neighbours.
+  int const margin = options.anti_aliasing.method == 1 ? 1 : 0;
+  std::vector<render::Region> wide;
+  for (auto const& r : patches.regions)
+    wide.push_back({std::max(0, r.x0 - margin), std::max(0, r.y0 - margin),
+                    std::min(options.width, r.x1 + margin),
+                    std::min(options.height, r.y1 + margin)});
+  auto const results = render::render_regions(scene, plan, options, wide);
+  double made = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    auto const& r = patches.regions[i];
+    auto const& picture = results[i].image;
+    if (results[i].interrupted) return probe;
+    probe.rays += results[i].counts.total();
+    made += static_cast<double>(picture.pixels());
+    for (int y = r.y0; y < r.y1; ++y)
+      for (int x = r.x0; x < r.x1; ++x)
+        probe.colours.push_back(image::pixel(
+            picture,
+            static_cast<std::size_t>((y - wide[i].y0) * picture.width + (x - wide[i].x0))));
+  }
+  // Of the patches without their margins.
+  probe.cpu_s = (cpu_now() - begin) * patches.pixels / std::max(1.0, made);
+  probe.rays = static_cast<std::uint64_t>(static_cast<double>(probe.rays) * patches.pixels
+                                          / std::max(1.0, made));
+  return probe;
+}
+
+double mean_delta_e(std::vector<Vec3> const& reference, std::vector<Vec3> const& test) {
+  double sum = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    sum += image::ciede2000(lab_of(reference[i]), lab_of(test[i]));
+  return reference.empty() ? 0 : sum / static_cast<double>(reference.size());
+}
+
+} // namespace abbe::study

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""abbe render --error lands near the error asked for, on every example; what the user gives is kept."""
+import json
+import re
+import unittest
+
+from support import ROOT, CliTest, GLASS
+
+EXAMPLES = sorted((ROOT / 'examples').glob('*.scn'))
+SIZE = ['-W', 32, '-H', 24]
+TARGET = 2.0
+# What the choice is judged by: another and finer sampling than the one that the program compares with.
+REFERENCE = ['--bands', 16, '--aa', 8, '--aa-threshold', 0]
+
+
+class Error(CliTest):
+    def test_every_example_lands_within_a_quarter(self):
+        for scene in EXAMPLES:
+            with self.subTest(scene.name):
+                said = self.run_abbe('render', scene, *SIZE, '--error', TARGET, '-o', 'a.exr', timeout=600).stderr
+                explained = self.run_abbe('explain', scene).stdout
+                mode = ['--dispersion', 'stochastic'] if re.search(r'^\s*(stochastic )?dispersion +on', explained, re.M) else []
+                self.run_abbe('render', scene, *SIZE, *REFERENCE, *mode, '--quiet', '-o', 'r.exr', timeout=600)
+                found = json.loads(self.run_abbe('compare', '--json', 'r.exr', 'a.exr').stdout)['ciede2000']['mean']
+                self.assertLess(found, 1.25 * TARGET, said)
+                if 'nothing cheaper' not in said:
+                    self.assertGreater(found, 0.75 * TARGET, said)
+
+    def test_the_choice_is_the_same_each_time(self):
+        self.write('glass.scn', GLASS)
+        said = [re.sub(r'[\d.e+-]+ s\b', '', self.render('--error', '3', '-j', threads, '-o', 'a.exr', scene='glass.scn').stderr)
+                for threads in (1, 3)]
+        self.assertEqual(said[0], said[1])
+        self.assertRegex(said[0], r'bands.*expected error')
+
+    def test_what_is_given_is_kept(self):
+        self.write('glass.scn', GLASS)
+        said = self.render('--error', '3', '--bands', '5', '--dispersion', 'deterministic', '-o', 'a.exr', scene='glass.scn').stderr
+        self.assertIn('5 bands', said)
+        self.assertNotIn('stochastic', said)
+        said = self.render('--error', '0.01', '--aa', 'off', '-o', 'a.exr', scene='glass.scn').stderr
+        self.assertRegex(said, 'no anti-aliasing')
+        self.assertRegex(said, 'cannot be reached')
+
+    def test_a_plain_scene_needs_no_bands(self):
+        self.assertIn('expected error', self.render('--error', '1', '-o', 'a.exr').stderr)
+
+    def test_time(self):
+        self.write('glass.scn', GLASS)
+        self.assertRegex(self.render('--time', '20', '-o', 'a.exr', scene='glass.scn').stderr, r'bands.*about')
+
+    def test_wrong_words(self):
+        for words in (['--error', '0'], ['--error', 'x'], ['--time', '0'], ['--time', '3 moons'], ['--error', '1', '--time', '3']):
+            with self.subTest(words):
+                self.render(*words, '-o', 'a.exr', status=2)
+
+
+if __name__ == '__main__':
+    unittest.main()
