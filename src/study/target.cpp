@@ -124,15 +124,17 @@ private:
   /// Many samples a pixel, each with its own jittered wavelengths.
   void make_reference() {
     Place place;
-    place.bands = spectral_ ? (disperses_ ? 8 : 64) : 0;
-    place.mode = disperses_ && !overrides_.dispersion ? "stochastic" : "";
-    if (disperses_ && overrides_.dispersion && overrides_.dispersion->kind == Kind::Deterministic)
-      place.bands = 8, place.mode = "stochastic"; // what it converges to
+    // Lamps with lines need the scene's own number of bands to be seen at all.
+    if (spectral_ && !overrides_.bands) place.bands = std::max(disperses_ ? 8 : 64, given_bands_);
+    if (disperses_ && !(overrides_.dispersion && overrides_.dispersion->kind == Kind::None))
+      place.mode = "stochastic"; // what all but `none` converge to
     // Its own noise is to be well below what is asked for.
     place.aa = {target_.delta_e > 0 && target_.delta_e < 1 ? 7 : 6, 0};
     if (target_.seconds > 0) place.aa.depth = 4;
     auto const keep = std::exchange(target_.keep_aa, false);
-    reference_ = probe(place).colours;
+    auto const made = probe(place);
+    reference_ = made.colours;
+    reference_cost_ = {0, static_cast<double>(made.rays) * scale_, made.cpu_s * scale_ / threads_};
     target_.keep_aa = keep;
   }
 
@@ -176,7 +178,7 @@ private:
       std::optional<Place> best;
       double best_gain = 0;
       for (auto const& next : {more_bands(at), finer_aa(at)}) {
-        if (!next || stopped()) continue;
+        if (!next || stopped() || cost(see(at)) > 0.25 * cost(reference_cost_)) continue;
         Seen const& seen = see(*next);
         double const gain = std::log(see(at).delta_e / std::max(1e-9, seen.delta_e))
                             / std::max(0.05, std::log(cost(seen) / cost(see(at))));
@@ -185,8 +187,10 @@ private:
           best_gain = gain;
         }
       }
-      // Finer than the reference: not worth a look. Dearer than what is good already: no.
-      if (!best || (best_ && good(see(*best_)) && cost(see(*best)) >= cost(see(*best_)))) break;
+      // Nothing can be told of what is as fine as the reference; dearer than what is good: no.
+      if (!best || cost(see(*best)) > 0.5 * cost(reference_cost_)
+          || (best_ && good(see(*best_)) && cost(see(*best)) >= cost(see(*best_))))
+        break;
       if (target_.seconds > 0 && see(*best).seconds > time_left()) {
         land(at, *best);
         return;
@@ -269,6 +273,7 @@ private:
   int given_bands_ = 0, threads_ = 1;
   double scale_ = 1;
   std::vector<Vec3> reference_;
+  Seen reference_cost_;
   std::map<Place, Seen> seen_;
   std::optional<Place> best_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
