@@ -166,8 +166,8 @@ image::ImageHead head_of(Arguments const& arguments, plan::Plan const& plan) {
   head.width = region.x1 - region.x0;
   head.height = region.y1 - region.y0;
   if (options.spectral_output) {
-    auto const centers = plan.bands->centers();
-    auto const edges = plan.bands->edges();
+    auto const centers = plan.spectral->bands.centers();
+    auto const edges = plan.spectral->bands.edges();
     head.band_centres_nm.assign(centers.begin(), centers.end());
     head.band_edges_nm.assign(edges.begin(), edges.end());
   }
@@ -224,8 +224,9 @@ std::unique_ptr<render::Checkpoint> make_checkpoint(Arguments const& arguments,
   if (arguments.no_checkpoint || !arguments.cost_map.empty()) return nullptr;
   std::string words;
   for (auto const& declaration : arguments.scene.declarations) words += declaration + '\n';
-  words += fmt::format("{} {} {}", arguments.scene.bands.value_or(0), arguments.scene.dispersion,
-                       arguments.scene.spectral);
+  words += fmt::format("{} {} {} {} {}", arguments.scene.bands.value_or(0),
+                       arguments.scene.dispersion, arguments.scene.representation,
+                       arguments.scene.spacing, arguments.scene.spectral);
   return std::make_unique<render::Checkpoint>(arguments.output + ".abbe-checkpoint",
                                               arguments.checkpoint ? 0 : checkpoint_after_seconds,
                                               [&evaluated, &options = arguments.options, words] {
@@ -361,8 +362,7 @@ int render_scene(Arguments& arguments) {
     fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
                options.region ? options.region->x1 - options.region->x0 : options.width,
                options.region ? options.region->y1 - options.region->y0 : options.height,
-               plan->bands ? fmt::format("{} bands", plan->bands->count()) : std::string("r g b"),
-               seconds, result.counts.total());
+               plan::describe_channels(*plan), seconds, result.counts.total());
   }
   return 0;
 }

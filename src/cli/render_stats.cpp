@@ -45,7 +45,7 @@ image::Status write_stats(std::string const& path, RenderStats const& stats, pla
       {"scene", stats.scene},
       {"width", options.width},
       {"height", options.height},
-      {"bands", plan.bands ? plan.bands->count() : 0},
+      {"bands", plan.spectral ? plan.spectral->count() : 0},
       {"seed", options.seed},
       {"scene_s", {{"wall", stats.scene_wall_s}, {"cpu", stats.scene_cpu_s}}},
       {"render_s", {{"wall", stats.render_wall_s}, {"cpu", stats.render_cpu_s}}},

@@ -33,6 +33,21 @@ std::string check_declaration(std::string const& text) {
   return "";
 }
 
+std::string dispersion_phrase(std::string const& words) {
+  return "dispersion { " + words + " }";
+}
+
+/// What is wrong with a phrase of the `spectral` block, or nothing.
+std::string check_spectral(std::string const& phrase) {
+  auto const read = lang::read_spectral(phrase);
+  return read ? "" : read.error().message;
+}
+
+/// @pre the phrase was checked
+scene::SpectralSettings spectral_settings(std::string const& phrase) {
+  return *lang::read_spectral(phrase);
+}
+
 } // namespace
 
 void catch_interrupts() {
@@ -65,10 +80,18 @@ void SceneArguments::add_to(CLI::App& app, bool with_plan) {
   app.add_flag("--quiet", quiet, "no progress and no #debug output");
   if (!with_plan) return;
   app.add_option("--bands", bands, "number of spectral bands")->check(CLI::Range(1, 1000));
-  app.add_option("--dispersion", dispersion,
-                 "for every material: none, deterministic, stochastic, faithful")
+  app.add_option(
+         "--dispersion", dispersion,
+         "for every material, as in a scene: \"none\", \"deterministic\", \"adaptive tolerance "
+         "0.5\", \"stochastic rays 4\", \"clusters 4 degrade\", \"hero 4\" ...")
       ->type_name("MODE")
-      ->check(CLI::IsMember({"none", "deterministic", "stochastic", "faithful"}));
+      ->check([](std::string const& text) { return check_spectral(dispersion_phrase(text)); });
+  app.add_option("--representation", representation,
+                 "of light: \"bands\", \"composite\", \"basis 6\", \"adaptive tolerance 0.5\"")
+      ->type_name("WORDS")
+      ->check([](std::string const& text) { return check_spectral("representation " + text); });
+  app.add_option("--spacing", spacing, "of bands: uniform or hall")
+      ->check(CLI::IsMember({"uniform", "hall"}));
   app.add_flag("--spectral", spectral, "render in bands; EXR output carries them");
 }
 
@@ -129,15 +152,13 @@ plan::Overrides overrides_of(SceneArguments const& arguments) {
   plan::Overrides overrides;
   overrides.bands = arguments.bands;
   overrides.spectral = arguments.spectral;
-  using Kind = scene::DispersionMode::Kind;
-  if (!arguments.dispersion.empty()) {
-    scene::DispersionMode mode;
-    mode.kind = arguments.dispersion == "none"            ? Kind::None
-                : arguments.dispersion == "deterministic" ? Kind::Deterministic
-                                                          : Kind::Stochastic;
-    mode.faithful = arguments.dispersion == "faithful";
-    overrides.dispersion = mode;
-  }
+  if (!arguments.dispersion.empty())
+    overrides.dispersion = spectral_settings(dispersion_phrase(arguments.dispersion)).dispersion;
+  if (!arguments.representation.empty())
+    overrides.representation =
+        spectral_settings("representation " + arguments.representation).representation;
+  if (!arguments.spacing.empty())
+    overrides.spacing = spectral_settings("spacing " + arguments.spacing).spacing;
   return overrides;
 }
 

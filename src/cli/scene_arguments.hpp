@@ -22,7 +22,9 @@ struct SceneArguments {
   bool allow_write = false;
   bool quiet = false;
   std::optional<int> bands;
-  std::string dispersion;
+  std::string dispersion; ///< the words of a mode
+  std::string representation;
+  std::string spacing;
   bool spectral = false;
 
   void add_to(CLI::App& app, bool with_plan);

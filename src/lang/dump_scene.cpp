@@ -60,21 +60,20 @@ std::string_view name(Object::Kind kind) {
   return "";
 }
 
-std::string text(scene::DispersionMode const& mode) {
-  using Mode = scene::DispersionMode;
-  switch (mode.kind) {
-  case Mode::Kind::Inherit:
-    return "inherit";
-  case Mode::Kind::None:
-    return "none";
-  case Mode::Kind::Deterministic:
-    return "deterministic";
-  case Mode::Kind::Stochastic:
-    break;
+/// What follows the spacing, where it is not bands.
+std::string text(scene::Representation const& representation) {
+  using Kind = scene::Representation::Kind;
+  switch (representation.kind) {
+  case Kind::Bands:
+    return "";
+  case Kind::Composite:
+    return " representation composite";
+  case Kind::Basis:
+    return fmt::format(" representation basis {}", representation.size);
+  case Kind::Adaptive:
+    return fmt::format(" representation adaptive tolerance {}", text(representation.tolerance));
   }
-  return fmt::format("stochastic jitter {} {}{}",
-                     mode.jitter == Mode::Jitter::Uniform ? "uniform" : "triangular",
-                     text(mode.jitter_width_bands), mode.faithful ? " faithful" : "");
+  return "";
 }
 
 class Dump {
@@ -123,12 +122,12 @@ private:
                              : "none");
     scene::SpectralSettings const& p = s.spectral;
     using Spacing = scene::SpectralSettings::Spacing;
-    line("spectral {} bands {} range {} {} spacing {} dispersion {} unit {}",
+    line("spectral {} bands {} range {} {} spacing {}{} dispersion {} unit {}",
          p.requested ? "requested" : "default", p.bands, text(p.low_nm), text(p.high_nm),
          p.spacing == Spacing::Uniform ? "uniform"
          : p.spacing == Spacing::Hall  ? "hall"
                                        : "boundaries",
-         text(p.dispersion), text(p.mm_per_unit));
+         text(p.representation), text(p.dispersion), text(p.mm_per_unit));
     effects(s.effects);
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);

@@ -116,4 +116,13 @@ Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions cons
   return evaluate(std::move(name), std::move(text), folder, options);
 }
 
+Result<scene::SpectralSettings> read_spectral(std::string const& phrases) {
+  auto const read =
+      evaluate_text("settings", "global_settings { spectral { " + phrases + " } }", {});
+  for (auto const& diagnostic : read.diagnostics)
+    if (diagnostic.severity == Severity::Error)
+      return Error{std::string(diagnostic.code), diagnostic.message};
+  return read.scene.settings.spectral;
+}
+
 } // namespace abbe::lang

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.hpp"
+#include "base/result.hpp"
 #include "scene/scene.hpp"
 
 #include <atomic>
@@ -45,6 +46,10 @@ struct Evaluated {
 Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options);
 /// The same for a text (tests, fuzzing).
 Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions const& options);
+
+/// Settings as they stand in `global_settings { spectral { ... } }`: "dispersion { hero 4 }
+/// representation basis 6". @error of the first diagnostic
+Result<scene::SpectralSettings> read_spectral(std::string const& phrases);
 
 /// `abbe dump --scene`: the object graph, one node a line, stable over runs.
 std::string dump_scene(scene::Scene const&);

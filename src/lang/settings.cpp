@@ -28,6 +28,32 @@ void read_spacing(Reader& in, SpectralSettings& spectral) {
   }
 }
 
+/// After `representation`.
+void read_representation(Reader& in, scene::Representation& out) {
+  using Kind = scene::Representation::Kind;
+  out = {};
+  if (in.accept("bands")) return;
+  if (in.accept("composite")) {
+    out.kind = Kind::Composite;
+  } else if (in.accept("basis")) {
+    out.kind = Kind::Basis;
+    out.size = in.integer("size of the basis", 1, 64);
+  } else if (in.accept("adaptive")) {
+    out.kind = Kind::Adaptive;
+    if (!in.accept("tolerance")) return;
+    Span const at = in.next_span();
+    out.tolerance = in.number("tolerance (CIEDE2000)");
+    if (!(out.tolerance > 0))
+      in.report(Severity::Error, "E0353",
+                fmt::format("the tolerance must be positive, not {}", out.tolerance), at);
+  } else {
+    in.report(Severity::Error, "E0250",
+              "expected 'bands', 'composite', 'basis SIZE' or 'adaptive tolerance T' after "
+              "'representation'",
+              in.next_span());
+  }
+}
+
 double read_unit(Reader& in) {
   Span const at = in.next_span();
   double const mm = in.number("millimetres per unit");
@@ -48,6 +74,8 @@ void read_spectral(Reader& in, SpectralSettings& spectral) {
       spectral.high_nm = in.number("upper end of the range in nm");
     } else if (in.accept("spacing")) {
       read_spacing(in, spectral);
+    } else if (in.accept("representation")) {
+      read_representation(in, spectral.representation);
     } else if (in.open("dispersion")) {
       spectral.dispersion = read_dispersion_mode(in);
       in.close();

@@ -192,6 +192,24 @@ Vec3 light_rgb(Spectrum const& light) {
   return xyz_to_rgb(raw * light.unit(range, raw.y));
 }
 
+std::vector<double> Spectrum::line_wavelengths_nm() const {
+  std::vector<double> out;
+  if (kind_ == Kind::Lines)
+    for (Pair const& line : *rows_) out.push_back(line[0]);
+  return out;
+}
+
+std::vector<double> light_at_lines(Spectrum const& light, Bands const& range,
+                                   std::vector<double> const& lines_nm) {
+  std::vector<double> values(lines_nm.size(), 0.0);
+  if (light.kind_ != Spectrum::Kind::Lines) return values;
+  double const unit = light.unit(range, light.raw_xyz(range).y);
+  for (Pair const& line : *light.rows_)
+    for (std::size_t i = 0; i < lines_nm.size(); ++i)
+      if (lines_nm[i] == line[0]) values[i] += unit * line[1] / d65_power_at(line[0]);
+  return values;
+}
+
 std::vector<double> Spectrum::knots() const {
   return knots_of(*rows_);
 }

@@ -44,12 +44,16 @@ public:
 
   /// Value of a reflectance at a wavelength; samples and constants only.
   double value(double lambda_nm) const;
+  /// Wavelengths of emission lines; empty for any other spectrum.
+  std::vector<double> line_wavelengths_nm() const;
   /// Wavelengths at which a table has its rows.
   std::vector<double> knots() const;
 
 private:
   friend std::vector<double> light_bands(Spectrum const&, Bands const&);
   friend Vec3 light_rgb(Spectrum const&);
+  friend std::vector<double> light_at_lines(Spectrum const&, Bands const&,
+                                            std::vector<double> const&);
   enum class Kind { Constant, Samples, Power, Blackbody, Lines };
   Spectrum(Kind kind, double value, std::vector<Pair> rows);
   double power_at(double lambda_nm) const;
@@ -69,6 +73,10 @@ private:
 /// common factor that makes the luminance exact, so that a light of luminance 1 has luminance 1 for
 /// every n. A line goes to its band whole (energy); lines outside the range are left out.
 std::vector<double> light_bands(Spectrum const& light, Bands const& bands);
+/// Emission lines one by one: the power of each of the given lines, relative to that of D65 in one
+/// nm there, in the units of light_bands. Lines that the light does not have are 0.
+std::vector<double> light_at_lines(Spectrum const& light, Bands const& range,
+                                   std::vector<double> const& lines_nm);
 /// Linear sRGB of the light, integrated over 360..830 nm (unclipped: may be negative).
 Vec3 light_rgb(Spectrum const& light);
 

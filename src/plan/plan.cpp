@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/plan.hpp"
 
+#include "plan/representation.hpp"
 #include "plan/survey.hpp"
 
 #include <fmt/format.h>
@@ -10,15 +11,15 @@ namespace abbe::plan {
 namespace {
 
 Result<optics::Bands> make_bands(scene::SpectralSettings const& settings,
-                                 std::optional<int> override_count) {
-  int const count = override_count.value_or(settings.bands);
-  switch (settings.spacing) {
+                                 Overrides const& overrides) {
+  int const count = overrides.bands.value_or(settings.bands);
+  switch (overrides.spacing.value_or(settings.spacing)) {
   case scene::SpectralSettings::Spacing::Uniform:
     return optics::Bands::uniform(count, settings.low_nm, settings.high_nm);
   case scene::SpectralSettings::Spacing::Hall:
     return optics::Bands::hall(count, settings.low_nm, settings.high_nm);
   case scene::SpectralSettings::Spacing::Boundaries:
-    if (override_count)
+    if (overrides.bands)
       return Error{"E0416",
                    "--bands cannot be given for a scene that sets the boundaries of its bands"};
     return optics::Bands::from_edges(settings.boundaries_nm);
@@ -124,9 +125,15 @@ Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides) {
   for (std::size_t i = 0; i < scene::switch_words.size(); ++i)
     plan.off[i] = choices.off(static_cast<scene::Switch>(i));
   if (plan.has(Effect::SpectralTransport)) {
-    auto bands = make_bands(scene.settings.spectral, overrides.bands);
+    auto bands = make_bands(scene.settings.spectral, overrides);
     if (!bands) return bands.error();
-    plan.bands = std::move(*bands);
+    auto channels = make_channels(
+        scene, overrides.representation.value_or(scene.settings.spectral.representation), *bands,
+        plan.has(Effect::StochasticDispersion));
+    if (!channels) return channels.error();
+    if (overrides.spectral && channels->is_basis())
+      return Error{"E0432", "--spectral writes bands, and a basis has none"};
+    plan.spectral = std::move(*channels);
   }
   return plan;
 }
@@ -138,9 +145,14 @@ std::string describe(Plan const& plan) {
 }
 
 std::string describe_transport(Plan const& plan) {
-  if (!plan.bands) return "transport: r g b\n";
-  return fmt::format("transport: {} bands, {:g} to {:g} nm\n", plan.bands->count(),
-                     plan.bands->lo_nm(), plan.bands->hi_nm());
+  if (!plan.spectral) return "transport: r g b\n";
+  optics::Bands const& range = plan.spectral->bands;
+  return fmt::format("transport: {}, {:g} to {:g} nm\n", describe_channels(plan), range.lo_nm(),
+                     range.hi_nm());
+}
+
+std::string describe_channels(Plan const& plan) {
+  return plan.spectral ? describe(*plan.spectral) : "r g b";
 }
 
 std::string describe(Plan const& plan, Effect effect) {

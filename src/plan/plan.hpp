@@ -3,7 +3,7 @@
 
 #include "base/result.hpp"
 #include "base/source.hpp"
-#include "optics/bands.hpp"
+#include "optics/channel_set.hpp"
 #include "scene/scene.hpp"
 
 #include <array>
@@ -45,17 +45,19 @@ struct Finding {
 
 /// What the command line may override. It goes before the scene's own `effects` block.
 struct Overrides {
-  std::optional<int> bands;                        ///< --bands
-  std::optional<scene::DispersionMode> dispersion; ///< --dispersion: for every material
-  bool spectral = false;                           ///< --spectral
-  std::vector<scene::EffectOverride> effects;      ///< of the probe of `abbe explain`
-  bool lenient = false;                            ///< the probe's: `strict` does not count
+  std::optional<int> bands;                                ///< --bands
+  std::optional<scene::DispersionMode> dispersion;         ///< --dispersion: for every material
+  std::optional<scene::Representation> representation;     ///< --representation
+  std::optional<scene::SpectralSettings::Spacing> spacing; ///< --spacing
+  bool spectral = false;                                   ///< --spectral
+  std::vector<scene::EffectOverride> effects;              ///< of the probe of `abbe explain`
+  bool lenient = false;                                    ///< the probe's: `strict` does not count
 };
 
 struct Plan {
   std::vector<Finding> findings = std::vector<Finding>(effect_count);
   /// nullopt: the scene is rendered in r g b.
-  std::optional<optics::Bands> bands;
+  std::optional<optics::ChannelSet> spectral;
   std::optional<scene::DispersionMode> dispersion_override;
   std::array<bool, scene::switch_words.size()> off{}; ///< put off by an override
   /// Objects of the scene, by number and ascending, that no ray can reach and that would cost
@@ -73,6 +75,8 @@ Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides = {
 std::string describe(Plan const& plan);
 /// The first line of that, and a line of it without its end.
 std::string describe_transport(Plan const& plan);
+/// The channels: "16 bands", "16 bands and 5 lines", "a basis of 6", "r g b".
+std::string describe_channels(Plan const& plan);
 std::string describe(Plan const& plan, Effect effect);
 
 } // namespace abbe::plan

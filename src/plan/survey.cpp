@@ -188,7 +188,8 @@ private:
     find(Effect::Dispersion, reason, span);
     find(Effect::SpectralTransport, reason, span);
     if (mode.kind == scene::DispersionMode::Kind::Stochastic)
-      find(Effect::StochasticDispersion, reason + ", dispersion { stochastic }", span);
+      find(Effect::StochasticDispersion, reason + ", dispersion { " + scene::text(mode) + " }",
+           span);
   }
 
   static bool object_has_interior(scene::Object const& object) {

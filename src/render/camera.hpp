@@ -11,4 +11,13 @@ namespace abbe::render {
 /// @source language notes, section 12
 geometry::Ray camera_ray(scene::Camera const& camera, double x, double y, int width, int height);
 
+/// How large a pixel is at a point that it shows, in scene units: the point's distance from the
+/// camera decides, so that what is seen in a mirror counts as nearer than it is.
+struct Footprint {
+  double size = 0;      ///< of an orthographic camera
+  double angle_rad = 0; ///< of a perspective one
+  double at(Vec3 const& point) const { return size + angle_rad * glm::length(point); }
+};
+Footprint pixel_footprint(scene::Camera const& camera, int width, int height);
+
 } // namespace abbe::render

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optics/bands.hpp"
+#include "optics/band_hats.hpp"
+#include "optics/channel_set.hpp"
+#include "plan/working_space.hpp"
 #include "render/stage.hpp"
-#include "render/working_space.hpp"
 
 #include <map>
 #include <optional>
@@ -14,11 +15,11 @@ namespace abbe::render {
 /// Colours of the scene as channel values: bands (rgb uplifted to smooth spectra) or r g b.
 class ColourCompiler {
 public:
-  ColourCompiler(std::optional<optics::Bands> const& bands, WorkingSpace const& space)
-      : bands_(bands), space_(space) {}
+  ColourCompiler(std::optional<optics::ChannelSet> const& spectral,
+                 plan::WorkingSpace const& space);
 
-  std::optional<optics::Bands> const& bands() const { return bands_; }
-  int channels() const { return bands_ ? bands_->count() : 3; }
+  std::optional<optics::ChannelSet> const& spectral() const { return spectral_; }
+  int channels() const { return spectral_ ? spectral_->count() : 3; }
   /// Share of light reflected or passed.
   Channels reflectance(scene::Colour const& colour);
   /// Light: rgb is a multiple of D65.
@@ -26,12 +27,16 @@ public:
   CompiledColour pigment(scene::Colour const& colour);
 
 private:
-  Channels uplifted(Vec3 const& rgb);
-  Channels spectral(scene::Colour const& colour, Channels values);
+  /// What a colour is: light has no power in emission lines of its own.
+  enum class Role { Light, Reflectance };
+  Channels uplifted(Vec3 const& rgb, Role role);
+  Channels from_bands(std::vector<double> const& values, Role role) const;
+  Channels times_rgb(scene::Colour const& colour, Channels values);
 
-  std::optional<optics::Bands> bands_;
-  WorkingSpace space_;
-  std::map<std::tuple<double, double, double>, Channels> known_;
+  std::optional<optics::ChannelSet> spectral_;
+  std::optional<optics::BandHats> hats_; ///< where there are lines
+  plan::WorkingSpace space_;
+  std::map<std::tuple<double, double, double>, std::vector<double>> known_; ///< on all bands
 };
 
 /// Is every channel zero?

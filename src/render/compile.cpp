@@ -81,12 +81,14 @@ double brightest(Stage const& stage) {
 
 Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   Stage stage;
-  stage.bands = plan.bands;
-  ColourCompiler colours(plan.bands, WorkingSpace(scene.settings));
+  stage.spectral = plan.spectral;
+  ColourCompiler colours(plan.spectral, plan::WorkingSpace(scene.settings));
   stage.channels = colours.channels();
-  if (stage.bands) {
-    auto const weights = stage.bands->rgb_weights();
-    stage.rgb_weights.assign(weights.begin(), weights.end());
+  if (stage.spectral) {
+    for (int c = 0; c < stage.channels; ++c) {
+      stage.rgb_weights.push_back(stage.spectral->rgb_weight(c));
+      stage.lambdas_nm.push_back(stage.spectral->lambda_nm(c));
+    }
   } else {
     stage.rgb_weights = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   }

@@ -35,6 +35,9 @@ struct LaneInterface {
   bool fresnel = false; ///< a real dielectric: reflects by Fresnel unasked
   int split_wave = 0;   ///< wave table of the split
   int split_medium = 0; ///< whose mode governs it
+  int comb = -1;        ///< that draws the wavelengths of the split, or none
+  bool doubles = false; ///< by the published scheme
+  bool picks = false;   ///< one tooth goes on alone, or would if this were not its control light
   /// Fresnel reflectance and transmittance; 1 and 0 at total reflection.
   double* reflectance = nullptr;
   double* transmittance = nullptr;

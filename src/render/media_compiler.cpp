@@ -38,36 +38,38 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
     medium.fade_power = interior.fade_power;
     medium.fade_colour = colours_.reflectance(interior.fade_colour);
   }
-  if (!stage_.bands) return medium;
+  if (!stage_.spectral) return medium;
 
-  optics::Bands const& bands = *stage_.bands;
+  optics::Bands const& bands = stage_.bands();
   auto const glass = plan::dispersive_glass(interior);
   if (glass && glass->absorbs() && !plan_.is_off(Switch::Absorption)) {
-    for (int i = 0; i < bands.count(); ++i)
-      medium.absorption.push_back(glass->absorption_per_mm(bands.center(i))
+    for (double const lambda_nm : stage_.lambdas_nm)
+      medium.absorption.push_back(glass->absorption_per_mm(lambda_nm)
                                   * settings_.spectral.mm_per_unit);
     if (is_black(medium.absorption)) medium.absorption.clear();
   }
-  medium.mode = plan::effective_mode(interior, settings_, plan_.dispersion_override);
-  bool const wanted = medium.mode.kind != scene::DispersionMode::Kind::None;
+  using Kind = scene::DispersionMode::Kind;
+  auto const mode = plan::effective_mode(interior, settings_, plan_.dispersion_override);
+  bool const wanted = mode.kind != Kind::None;
   if (!wanted || !refracts || !glass || !glass->is_dispersive(bands.lo_nm(), bands.hi_nm()))
     return medium;
   medium.dispersive = true;
   medium.glass = glass.get();
   stage_.glasses.push_back(glass);
-  for (int i = 0; i < bands.count(); ++i)
-    medium.index.push_back(glass->index_unchecked(bands.center(i)));
-  if (medium.mode.kind == scene::DispersionMode::Kind::Stochastic)
-    medium.jitter = jitter_number(medium.mode);
+  for (double const lambda_nm : stage_.lambdas_nm)
+    medium.index.push_back(glass->index_unchecked(lambda_nm));
+  if (mode.kind == Kind::Stochastic) medium.comb = comb_number(mode.comb);
+  if (mode.kind == Kind::Adaptive) medium.tolerance_px = mode.tolerance_px;
   return medium;
 }
 
-int MediaCompiler::jitter_number(scene::DispersionMode const& mode) {
-  JitterSettings const settings{mode.jitter, mode.jitter_width_bands, mode.faithful};
-  auto const found = std::find(stage_.jitters.begin(), stage_.jitters.end(), settings);
-  if (found != stage_.jitters.end()) return static_cast<int>(found - stage_.jitters.begin());
-  stage_.jitters.push_back(settings);
-  return static_cast<int>(stage_.jitters.size()) - 1;
+int MediaCompiler::comb_number(optics::Comb comb) {
+  if (comb.teeth == stage_.bands().count() && comb.follow == optics::Comb::Follow::Every)
+    comb.teeth = 0;
+  auto const found = std::find(stage_.combs.begin(), stage_.combs.end(), comb);
+  if (found != stage_.combs.end()) return static_cast<int>(found - stage_.combs.begin());
+  stage_.combs.push_back(comb);
+  return static_cast<int>(stage_.combs.size()) - 1;
 }
 
 } // namespace abbe::render

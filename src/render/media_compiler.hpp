@@ -18,7 +18,7 @@ public:
 
 private:
   Medium compile(scene::Interior const& interior);
-  int jitter_number(scene::DispersionMode const& mode);
+  int comb_number(optics::Comb comb);
 
   scene::Settings const& settings_;
   plan::Plan const& plan_;

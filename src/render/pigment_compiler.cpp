@@ -47,7 +47,7 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
 namespace {
 
 CompiledReflection compile_reflection(scene::Reflection const& reflection, ColourCompiler& colours,
-                                      std::optional<optics::Bands> const& bands) {
+                                      std::optional<optics::ChannelSet> const& channels) {
   CompiledReflection out;
   out.minimum = colours.reflectance(reflection.minimum);
   out.maximum = colours.reflectance(reflection.maximum);
@@ -56,8 +56,8 @@ CompiledReflection compile_reflection(scene::Reflection const& reflection, Colou
   out.exponent = 1 / reflection.exponent;
   out.metallic = reflection.metallic;
   if (reflection.metal) {
-    for (int i = 0; i < bands->count(); ++i) {
-      auto const index = reflection.metal->index(bands->center(i));
+    for (int i = 0; i < channels->count(); ++i) {
+      auto const index = reflection.metal->index(channels->lambda_nm(i));
       out.metal_n.push_back(index.n);
       out.metal_k.push_back(index.k);
     }
@@ -90,7 +90,7 @@ CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const
   out.metallic = finish.metallic;
   out.conserve_energy = finish.conserve_energy;
   if (finish.reflection)
-    out.reflection = compile_reflection(*finish.reflection, colours, colours.bands());
+    out.reflection = compile_reflection(*finish.reflection, colours, colours.spectral());
   return out;
 }
 

@@ -28,12 +28,14 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
 
 Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t index) {
   Sampled out;
-  if (options_.spectral_output) out.bands.resize(static_cast<std::size_t>(stage_.channels));
+  SampleKey const key{pixel, index, static_cast<std::int64_t>(std::floor(x)),
+                      static_cast<std::int64_t>(std::floor(y))};
+  if (options_.spectral_output) out.bands.resize(stage_.film_bands());
   auto const ray = camera_ray(stage_.camera, x, y, options_.width, options_.height);
-  out.rgb = tracer_.sample(ray, {pixel, index}, out.bands);
+  out.rgb = tracer_.sample(ray, key, out.bands);
   if (options_.check_finite && !wrong_)
     if (auto const kind = tracer_.wrong(out.rgb, negative_is_wrong_))
-      wrong_ = Wrong{*kind, x, y, {pixel, index}, out.rgb};
+      wrong_ = Wrong{*kind, x, y, key, out.rgb};
   return out;
 }
 
@@ -50,7 +52,7 @@ void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* ou
   rays.fill();
   tracer_.samples(rays);
   for (std::size_t k = 0; k < count; ++k) {
-    out[k].bands.resize(options_.spectral_output ? static_cast<std::size_t>(stage_.channels) : 0);
+    out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
     out[k].rgb = tracer_.light_of(k, out[k].bands);
     if (options_.check_finite && !wrong_)
       if (auto const kind = tracer_.wrong(k, out[k].rgb, negative_is_wrong_))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/render.hpp"
 
+#include "plan/working_space.hpp"
 #include "render/camera.hpp"
 #include "render/checkpoint.hpp"
 #include "render/pixel_sampler.hpp"
-#include "render/working_space.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -38,7 +38,7 @@ struct Strip {
 class Frame {
 public:
   /// @param space of the channels when they are r g b
-  Frame(Stage const& stage, RenderOptions const& options, WorkingSpace const& space)
+  Frame(Stage const& stage, RenderOptions const& options, plan::WorkingSpace const& space)
       : stage_(stage),
         options_(options),
         space_(space),
@@ -46,9 +46,9 @@ public:
         size_(std::max(1, options.tile_size)),
         across_((region_.x1 - region_.x0 + size_ - 1) / size_),
         down_((region_.y1 - region_.y0 + size_ - 1) / size_),
-        tracers_([&stage] { return Tracer(stage); }) {
+        tracers_([this] { return make_tracer(); }) {
     std::size_t floats = 3;
-    if (options.spectral_output) floats += static_cast<std::size_t>(stage.channels);
+    if (options.spectral_output) floats += stage.film_bands();
     std::size_t const row_of_tiles = floats * sizeof(float) * static_cast<std::size_t>(size_)
                                      * static_cast<std::size_t>(width());
     strip_rows_ = static_cast<int>(std::clamp<std::size_t>(options.rows_bytes / row_of_tiles, 1,
@@ -110,9 +110,9 @@ private:
     strip.y1 = std::min(region_.y0 + strip.tile1 * size_, region_.y1);
     strip.image = image::make_image(width(), strip.y1 - strip.y0);
     if (options_.spectral_output) {
-      strip.image.bands.resize(strip.image.pixels() * static_cast<std::size_t>(stage_.channels));
-      auto const centers = stage_.bands->centers();
-      auto const edges = stage_.bands->edges();
+      strip.image.bands.resize(strip.image.pixels() * stage_.film_bands());
+      auto const centers = stage_.bands().centers();
+      auto const edges = stage_.bands().edges();
       strip.image.band_centres_nm.assign(centers.begin(), centers.end());
       strip.image.band_edges_nm.assign(edges.begin(), edges.end());
     }
@@ -122,7 +122,7 @@ private:
   /// Finished rows leave. @return whether to go on
   bool hand_on(Strip& strip) {
     image::Image& rows = strip.image;
-    if (!stage_.bands && !space_.is_linear())
+    if (!stage_.spectral && !space_.is_linear())
       for (auto& value : rows.rgb) value = static_cast<float>(space_.to_linear(value));
     if (options_.on_rows) return options_.on_rows(rows);
     image::Image& whole = result_.image;
@@ -160,7 +160,7 @@ private:
       strip.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
     for (std::size_t c = 0; c < sampled.bands.size(); ++c)
       strip.image.bands[at * sampled.bands.size() + c] =
-          static_cast<float>(sampled.bands[c] * stage_.bands->d65_radiance(static_cast<int>(c)));
+          static_cast<float>(sampled.bands[c] * stage_.bands().d65_radiance(static_cast<int>(c)));
   }
 
   Strip sampled_strip(int tile0) {
@@ -180,12 +180,16 @@ private:
     return strip;
   }
 
+  Tracer make_tracer() const {
+    return Tracer(stage_, pixel_footprint(stage_.camera, options_.width, options_.height));
+  }
+
   /// Method 1: a pixel that differs from its left or upper neighbour is sampled again, and so is
   /// the neighbour. Marks are made from the first samples alone, so the order does not matter.
   /// @param above, below the row before the strip and (first) the one behind it; may be empty
   void mark(Strip& strip, std::vector<float> const& above, std::vector<float> const& below) {
     strip.marks.assign(strip.image.pixels(), 0);
-    Tracer tracer(stage_);
+    Tracer tracer = make_tracer();
     PixelSampler const judge(stage_, options_, tracer);
     auto const at = [](std::vector<float> const& values, std::size_t pixel) {
       return Vec3(values[3 * pixel], values[3 * pixel + 1], values[3 * pixel + 2]);
@@ -268,7 +272,7 @@ private:
   /// Calls work(array, first, count) for each row of a tile in each array of floats.
   template <class Work>
   void rows_of(Strip& strip, Box const& box, Work const& work) const {
-    std::size_t const channels = options_.spectral_output ? stage_.bands->count() : 0;
+    std::size_t const channels = options_.spectral_output ? stage_.bands().count() : 0;
     for (int y = box.y0; y < box.y1; ++y) {
       auto const first = index(strip, box.x0, y);
       auto const count = static_cast<std::size_t>(box.x1 - box.x0);
@@ -318,12 +322,11 @@ private:
   /// Traces the sample again, with a record of its path.
   BadSample look_into(WrongPixel const& found) const {
     auto const& [wrong, x, y] = found;
-    Tracer tracer(stage_);
+    Tracer tracer = make_tracer();
     PathRecorder recorder(stage_, negative_light_is_wrong(stage_));
     tracer.record(recorder);
     auto const ray = camera_ray(stage_.camera, wrong.x, wrong.y, options_.width, options_.height);
-    std::vector<double> bands(options_.spectral_output ? static_cast<std::size_t>(stage_.channels)
-                                                       : 0);
+    std::vector<double> bands(options_.spectral_output ? stage_.film_bands() : 0);
     tracer.sample(ray, wrong.key, bands);
     recorder.end(tracer);
     return {wrong.kind, x, y, wrong.key.number, wrong.rgb, recorder.path()};
@@ -344,7 +347,7 @@ private:
 
   Stage const& stage_;
   RenderOptions const& options_;
-  WorkingSpace space_;
+  plan::WorkingSpace space_;
   Region region_;
   int size_, across_, down_; ///< tiles
   int strip_rows_ = 1;       ///< rows of tiles in a strip
@@ -364,7 +367,7 @@ private:
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options) {
   ABBE_ASSERT(options.width > 0 && options.height > 0);
-  ABBE_ASSERT(!options.spectral_output || plan.bands);
+  ABBE_ASSERT(!options.spectral_output || plan.spectral);
   ABBE_ASSERT(!options.rays_of_pixels || !options.checkpoint);
   Stage stage = compile(scene, plan);
   if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
@@ -373,7 +376,7 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
     std::uint32_t const passes = options.anti_aliasing.method == 1 ? 2 : 1;
     options.checkpoint->begin(tiles, passes);
   }
-  return Frame(stage, options, WorkingSpace(scene.settings)).run();
+  return Frame(stage, options, plan::WorkingSpace(scene.settings)).run();
 }
 
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,

@@ -5,17 +5,29 @@
 
 namespace abbe::render {
 
-SampleFilm::SampleFilm(Stage const& stage) : stage_(stage) {
+namespace {
+
+bool doubles(optics::Comb const& comb) {
+  return comb.follow == optics::Comb::Follow::Doubled;
+}
+
+} // namespace
+
+SampleFilm::SampleFilm(Stage const& stage, WaveTables const& waves) : stage_(stage) {
   auto const n = static_cast<std::uint32_t>(stage.channels);
   std::uint32_t slots = n;
-  for (auto const& jitter : stage.jitters) {
+  for (auto const& comb : stage.combs) {
     Part part;
+    bool const apart = comb.has_control();
+    auto const number = static_cast<int>(parts_.size());
+    auto const of_comb = static_cast<std::uint32_t>(waves.teeth(number));
+    std::uint32_t const teeth = !apart ? 0 : doubles(comb) ? 2 * of_comb : of_comb;
     part.light = slots;
+    part.control = part.light + teeth;
+    part.picked = part.control + (apart ? n : 0);
+    part.picked_control = part.picked + (comb.picks_one() ? teeth : 0);
+    slots = part.end = part.picked_control + (comb.picks_one() ? n : 0);
     parts_.push_back(part);
-    if (!has_control(static_cast<int>(parts_.size()) - 1)) continue;
-    slots += jitter.faithful ? 2 * n : n;
-    parts_.back().control = slots;
-    slots += n;
   }
   values_.resize(slots + std::size_t{1});
   plain_.resize(n);
@@ -25,10 +37,8 @@ void SampleFilm::start_sample() {
   std::fill(values_.begin(), values_.end(), 0.0);
 }
 
-bool SampleFilm::is_dark(int jitter) const {
-  if (!has_control(jitter)) return true;
-  auto const first = values_.begin() + jittered_slot(jitter, 0);
-  return std::all_of(first, values_.begin() + control_slot(jitter, stage_.channels),
+bool SampleFilm::is_dark(int comb) const {
+  return std::all_of(values_.begin() + part(comb).light, values_.begin() + part(comb).end,
                      [](double v) { return v == 0; });
 }
 
@@ -38,52 +48,77 @@ Vec3 SampleFilm::resolve(WaveTables& waves, std::span<double> bands) const {
   std::fill(bands.begin(), bands.end(), 0.0);
   Vec3 rgb(0);
   // A sample that never met these materials has nothing there: most of a picture.
-  for (int j = 0; j < static_cast<int>(stage_.jitters.size()); ++j) {
+  for (int j = 0; j < static_cast<int>(stage_.combs.size()); ++j) {
     if (is_dark(j)) continue;
     double const* control = values_.data() + control_slot(j, 0);
     for (std::size_t c = 0; c < n; ++c) plain_[c] += control[c];
-    if (stage_.jitters[static_cast<std::size_t>(j)].faithful)
-      resolve_faithful(waves, j);
+    if (settings(j).picks_one())
+      for (std::size_t c = 0; c < n; ++c) plain_[c] += values_[picked_control_slot(j, 0) + c];
+    if (doubles(settings(j)))
+      resolve_doubled(waves, j);
     else
-      rgb += resolve_locked(waves, j, bands);
+      rgb += resolve_teeth(waves, j, bands);
   }
   for (std::size_t c = 0; c < n; ++c) rgb += plain_[c] * stage_.rgb_weights[c];
-  for (std::size_t c = 0; c < bands.size(); ++c) bands[c] += plain_[c];
+  add_plain({plain_.data(), n}, bands);
   return rgb;
+}
+
+void SampleFilm::add_plain(std::span<double const> light, std::span<double> bands) const {
+  if (bands.empty()) return;
+  for (std::size_t c = 0; c < bands.size(); ++c) bands[c] += light[c];
+  // A line is seen in the band that it lies in, all its power.
+  for (std::size_t c = bands.size(); c < light.size(); ++c) {
+    double const lambda_nm = stage_.lambda_nm(static_cast<int>(c));
+    int const band = stage_.bands().index_of(lambda_nm);
+    bands[static_cast<std::size_t>(band)] +=
+        light[c] * optics::d65_power_at(lambda_nm)
+        / (stage_.bands().d65_power(band) * stage_.bands().width(band));
+  }
 }
 
 Vec3 SampleFilm::resolve_plain(std::span<double const> light, std::span<double> bands) const {
   Vec3 rgb(0);
   for (std::size_t c = 0; c < light.size(); ++c) rgb += light[c] * stage_.rgb_weights[c];
-  std::copy_n(light.begin(), bands.size(), bands.begin());
+  std::fill(bands.begin(), bands.end(), 0.0);
+  add_plain(light, bands);
   return rgb;
 }
 
-Vec3 SampleFilm::resolve_locked(WaveTables& waves, int jitter, std::span<double> bands) const {
-  auto const n = static_cast<std::size_t>(stage_.channels);
-  double const* light = values_.data() + jittered_slot(jitter, 0);
-  double const* control = values_.data() + control_slot(jitter, 0);
-  int const wave = waves.first_draw(jitter);
+Vec3 SampleFilm::resolve_teeth(WaveTables& waves, int comb, std::span<double> bands) const {
+  int const wave = waves.first_draw(comb);
+  double const* light = values_.data() + tooth_slot(comb, 0);
+  double const* control = values_.data() + control_slot(comb, 0);
   auto const weights = waves.rgb_weights(wave);
+  auto const channels = waves.channels(wave);
   Vec3 rgb(0);
-  for (std::size_t c = 0; c < n; ++c) rgb += (light[c] - control[c]) * weights[c];
-  if (!bands.empty()) {
-    auto const spreads = waves.spreads(wave);
-    for (std::size_t c = 0; c < n; ++c) {
-      double const change = light[c] - control[c];
-      bands[static_cast<std::size_t>(spreads[c].first)] += spreads[c].first_weight * change;
-      bands[static_cast<std::size_t>(spreads[c].second)] += spreads[c].second_weight * change;
+  auto const add = [&](std::size_t tooth, double change) {
+    // A line is the same whatever is drawn.
+    if (stage_.spectral->is_line(channels[tooth])) {
+      plain_[channels[tooth]] += change;
+      return;
     }
-  }
+    rgb += change * weights[tooth];
+    if (bands.empty()) return;
+    auto const& spread = waves.spreads(wave)[tooth];
+    bands[static_cast<std::size_t>(spread.first)] += spread.first_weight * change;
+    bands[static_cast<std::size_t>(spread.second)] += spread.second_weight * change;
+  };
+  for (std::size_t i = 0; i < weights.size(); ++i) add(i, light[i] - control[channels[i]]);
+  if (!settings(comb).picks_one()) return rgb;
+  auto const pick = waves.pick(comb);
+  auto const tooth = static_cast<std::size_t>(pick.tooth);
+  add(tooth, values_[picked_slot(comb, pick.tooth)]
+                 - pick.weight * values_[picked_control_slot(comb, channels[tooth])]);
   return rgb;
 }
 
-void SampleFilm::resolve_faithful(WaveTables& waves, int jitter) const {
+void SampleFilm::resolve_doubled(WaveTables& waves, int comb) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
-  double const* light = values_.data() + jittered_slot(jitter, 0);
-  double const* control = values_.data() + control_slot(jitter, 0);
-  auto const first = waves.spreads(waves.first_draw(jitter));
-  auto const second = waves.spreads(waves.second_draw(jitter));
+  double const* light = values_.data() + tooth_slot(comb, 0);
+  double const* control = values_.data() + control_slot(comb, 0);
+  auto const first = waves.spreads(waves.first_draw(comb));
+  auto const second = waves.spreads(waves.second_draw(comb));
   auto const add = [&](int channel, double value) {
     auto const& spread = second[static_cast<std::size_t>(channel)];
     plain_[static_cast<std::size_t>(spread.first)] += spread.first_weight * value;
@@ -97,8 +132,8 @@ void SampleFilm::resolve_faithful(WaveTables& waves, int jitter) const {
   }
 }
 
-Vec3 SampleFilm::faithful_colour(WaveTables& waves, int jitter, int channel) const {
-  auto const& spread = waves.spreads(waves.second_draw(jitter))[static_cast<std::size_t>(channel)];
+Vec3 SampleFilm::doubled_colour(WaveTables& waves, int comb, int channel) const {
+  auto const& spread = waves.spreads(waves.second_draw(comb))[static_cast<std::size_t>(channel)];
   return spread.first_weight * stage_.rgb_weights[static_cast<std::size_t>(spread.first)]
          + spread.second_weight * stage_.rgb_weights[static_cast<std::size_t>(spread.second)];
 }
@@ -107,25 +142,45 @@ Vec3 SampleFilm::colour(std::uint32_t slot, WaveTables& waves) const {
   auto const n = static_cast<std::uint32_t>(stage_.channels);
   if (slot < n) return stage_.rgb_weights[slot];
   if (slot == unused_slot()) return Vec3(0);
-  int jitter = static_cast<int>(parts_.size()) - 1;
-  while (jittered_slot(jitter, 0) > slot || !has_control(jitter)) --jitter;
-  bool const is_control = slot >= control_slot(jitter, 0);
-  auto const c = slot - (is_control ? control_slot(jitter, 0) : jittered_slot(jitter, 0));
-  if (!stage_.jitters[static_cast<std::size_t>(jitter)].faithful) {
-    Vec3 const jittered = waves.rgb_weights(waves.first_draw(jitter))[c];
-    return is_control ? stage_.rgb_weights[c] - jittered : jittered;
+  int comb = 0;
+  while (slot >= part(comb).end) ++comb;
+  return comb_colour(comb, slot, waves);
+}
+
+Vec3 SampleFilm::comb_colour(int comb, std::uint32_t slot, WaveTables& waves) const {
+  Part const& p = part(comb);
+  auto const first = waves.spreads(waves.first_draw(comb));
+  if (doubles(settings(comb))) {
+    if (slot < p.control) {
+      auto const i = slot - p.light;
+      return doubled_colour(waves, comb, i % 2 == 0 ? first[i / 2].first : first[i / 2].second);
+    }
+    auto const c = slot - p.control;
+    Vec3 colour = stage_.rgb_weights[c];
+    for (auto const& spread : first) {
+      if (spread.first == static_cast<int>(c))
+        colour -= spread.first_weight * doubled_colour(waves, comb, spread.first);
+      if (spread.second == static_cast<int>(c))
+        colour -= spread.second_weight * doubled_colour(waves, comb, spread.second);
+    }
+    return colour;
   }
-  auto const first = waves.spreads(waves.first_draw(jitter));
-  if (!is_control)
-    return faithful_colour(waves, jitter, c % 2 == 0 ? first[c / 2].first : first[c / 2].second);
-  Vec3 colour = stage_.rgb_weights[c];
-  for (auto const& spread : first) {
-    if (spread.first == static_cast<int>(c))
-      colour -= spread.first_weight * faithful_colour(waves, jitter, spread.first);
-    if (spread.second == static_cast<int>(c))
-      colour -= spread.second_weight * faithful_colour(waves, jitter, spread.second);
+  int const wave = waves.first_draw(comb);
+  auto const weights = waves.rgb_weights(wave);
+  if (slot < p.control) return weights[slot - p.light];
+  if (slot >= p.picked && slot < p.picked_control) return weights[slot - p.picked];
+  auto const channels = waves.channels(wave);
+  if (slot < p.picked) {
+    auto const c = slot - p.control;
+    Vec3 colour = stage_.rgb_weights[c];
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (channels[i] == c) colour -= weights[i];
+    return colour;
   }
-  return colour;
+  auto const c = slot - p.picked_control;
+  auto const pick = waves.pick(comb);
+  auto const tooth = static_cast<std::size_t>(pick.tooth);
+  return stage_.rgb_weights[c] - (channels[tooth] == c ? pick.weight * weights[tooth] : Vec3(0));
 }
 
 } // namespace abbe::render

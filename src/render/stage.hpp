@@ -2,7 +2,8 @@
 #pragma once
 
 #include "geometry/world.hpp"
-#include "optics/bands.hpp"
+#include "optics/channel_set.hpp"
+#include "optics/comb.hpp"
 #include "optics/glass.hpp"
 #include "plan/plan.hpp"
 #include "scene/scene.hpp"
@@ -68,11 +69,11 @@ struct Medium {
   Channels index;      ///< per channel at the band's mean wavelength, where it disperses
   Channels flat_index; ///< index_d for every channel, where it does not
   Channels absorption; ///< per scene unit; empty: none
-  optics::Glass const* glass = nullptr; ///< for jittered wavelengths
+  optics::Glass const* glass = nullptr; ///< for wavelengths of combs
   bool dispersive = false;
-  bool fresnel = false; ///< a real dielectric (glass {}): its faces reflect by Fresnel unasked
-  scene::DispersionMode mode;
-  int jitter = -1; ///< number of its jitter configuration (stochastic modes)
+  bool fresnel = false;    ///< a real dielectric (glass {}): its faces reflect by Fresnel unasked
+  int comb = -1;           ///< number of its comb (stochastic modes)
+  double tolerance_px = 0; ///< of the adaptive mode; 0: every lane goes its own way
   double fade_distance = 0, fade_power = 0;
   Channels fade_colour;
   bool refracts() const { return dispersive || index_d != 1; }
@@ -107,22 +108,13 @@ struct CompiledLight {
   double fade_distance = 0, fade_power = 0;
 };
 
-/// How a stochastic material draws its wavelengths. Rays of different settings are kept apart on
-/// the film because the wavelengths that they stand for differ.
-struct JitterSettings {
-  scene::DispersionMode::Jitter jitter = scene::DispersionMode::Jitter::Uniform;
-  double width_bands = 1;
-  bool faithful = false;
-  bool operator==(JitterSettings const&) const = default;
-};
-
 /// World mask bits (geometry::visible_to_*): opaque and filtering casters of shadows apart.
 inline constexpr std::uint8_t camera_bit = 1, reflection_bit = 2, opaque_shadow_bit = 4,
                               filter_shadow_bit = 8;
 
 struct Stage {
   int channels = 3;
-  std::optional<optics::Bands> bands; ///< nullopt: r g b
+  std::optional<optics::ChannelSet> spectral; ///< nullopt: r g b
   std::unique_ptr<geometry::World> world;
   std::vector<Surface> surfaces;     ///< by PrimitiveId
   std::vector<CompiledSolid> solids; ///< by SolidId
@@ -131,7 +123,9 @@ struct Stage {
   std::vector<Medium> media;                                 ///< [0] is air
   std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
   std::vector<CompiledLight> lights;
-  std::vector<JitterSettings> jitters;
+  /// Light of different combs is kept apart on the film because the wavelengths that it stands for
+  /// differ.
+  std::vector<optics::Comb> combs;
   Channels background;
   std::vector<int> sky_pigments; ///< pigments; the last on top
   Channels sky_emission;
@@ -145,9 +139,17 @@ struct Stage {
   double brightest = 0;         ///< no path returns more: bound of the radiance, any channel
   double opacity_version = 3.7; ///< < 3.7: POV-Ray's older rule of opacity
   bool has_filter_shadows = false;
-  bool has_priorities = false;   ///< some medium has another priority than 0
-  bool has_leaks = false;        ///< some medium's solid leaks
-  std::vector<Vec3> rgb_weights; ///< colour of one unit of each channel
+  bool has_priorities = false;    ///< some medium has another priority than 0
+  bool has_leaks = false;         ///< some medium's solid leaks
+  std::vector<Vec3> rgb_weights;  ///< colour of one unit of each channel
+  std::vector<double> lambdas_nm; ///< of the channels, unless they are r g b
+
+  optics::Bands const& bands() const { return spectral->bands; }
+  /// Of the spectral film.
+  std::size_t film_bands() const {
+    return spectral ? static_cast<std::size_t>(bands().count()) : 0;
+  }
+  double lambda_nm(int channel) const { return lambdas_nm[static_cast<std::size_t>(channel)]; }
 };
 
 /// Flattens a scene. The plan says which transport is used.

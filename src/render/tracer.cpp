@@ -32,6 +32,7 @@ void RayCounts::add(RayCounts const& other) {
   refracted += other.refracted;
   monochromatic += other.monochromatic;
   shadow += other.shadow;
+  splits += other.splits;
 }
 
 void RayCounts::subtract(RayCounts const& other) {
@@ -40,6 +41,7 @@ void RayCounts::subtract(RayCounts const& other) {
   refracted -= other.refracted;
   monochromatic -= other.monochromatic;
   shadow -= other.shadow;
+  splits -= other.splits;
 }
 
 void CutLight::add(CutLight const& other) {
@@ -48,10 +50,14 @@ void CutLight::add(CutLight const& other) {
   worst_sample = std::max(worst_sample, other.worst_sample);
 }
 
-Tracer::Tracer(Stage const& stage)
-    : stage_(stage), scratch_(geometry::World::make_scratch()), waves_(stage), film_(stage) {
+Tracer::Tracer(Stage const& stage, Footprint footprint)
+    : stage_(stage),
+      footprint_(footprint),
+      scratch_(geometry::World::make_scratch()),
+      waves_(stage),
+      film_(stage, waves_) {
   bool const perspective = stage.camera.kind == scene::Camera::Kind::Perspective;
-  together_ = stage.jitters.empty() && !stage.has_priorities && !stage.has_leaks
+  together_ = stage.combs.empty() && !stage.has_priorities && !stage.has_leaks
               && (perspective || stage.media.size() == 1);
   auto const n = static_cast<std::size_t>(stage.channels);
   std::size_t const lanes = together_ ? n * geometry::fan_width : n;
@@ -59,6 +65,12 @@ Tracer::Tracer(Stage const& stage)
     all_channels_.push_back(static_cast<std::uint16_t>(i % n));
     all_slots_.push_back(static_cast<std::uint32_t>(i));
   }
+  std::size_t teeth = 0;
+  for (int i = 0; i < waves_.comb_count(); ++i)
+    teeth = std::max(teeth, static_cast<std::size_t>(waves_.teeth(i)));
+  all_teeth_ = all_channels_;
+  for (std::size_t i = all_teeth_.size(); i < teeth; ++i)
+    all_teeth_.push_back(static_cast<std::uint16_t>(i));
   if (together_) together_light_.resize(lanes);
   if (perspective) camera_inside_ = inside_at(Vec3(0));
 }
@@ -72,6 +84,7 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
   Beam beam;
   beam.lanes = stage_.channels;
   beam.channel = all_channels_.data();
+  beam.tooth = all_teeth_.data();
   beam.slot = all_slots_.data();
   beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(beam.throughput, beam.lanes, 1.0);
@@ -94,6 +107,7 @@ void Tracer::samples(geometry::FanLines const& rays) {
   Beam beam;
   beam.lanes = static_cast<int>(n);
   beam.channel = all_channels_.data();
+  beam.tooth = all_teeth_.data();
   beam.slot = all_slots_.data();
   beam.throughput = arena_.take<double>(n);
   std::fill_n(beam.throughput, n, 1.0);
@@ -117,7 +131,7 @@ void Tracer::count_cut(Vec3 const& lost_colour) {
 
 void Tracer::cut(Beam const& beam, int lanes) {
   Vec3 sum(0);
-  bool const plain = stage_.jitters.empty(); // slots are channels, of one sample or the next
+  bool const plain = stage_.combs.empty(); // slots are channels, of one sample or the next
   for (int k = 0; k < lanes; ++k) {
     if (beam.throughput[k] == 0) continue;
     sum += beam.throughput[k]
@@ -131,10 +145,9 @@ void Tracer::cut(Beam const& beam, int lanes) {
 
 void Tracer::prepare_frame(int depth, PathRay const& ray, Beam const& beam) {
   while (frames_.size() <= static_cast<std::size_t>(depth)) frames_.emplace_back();
-  if (recorder_)
-    recorder_->begin(*this, depth, ray, beam);
-  else
-    ready_frames_ = depth + 1;
+  if (recorder_) recorder_->begin(*this, depth, ray, beam);
+  if (route_) route_->begin(*this, depth, ray, beam);
+  if (!recorder_ && !route_) ready_frames_ = depth + 1;
 }
 
 InsideNode const* Tracer::inside_at(Vec3 const& point) {
@@ -213,7 +226,7 @@ InsideNode const* Tracer::after_crossings(InsideNode const* inside, geometry::Hi
 double Tracer::index_of(int medium, Beam const& beam) {
   Medium const& m = stage_.media[static_cast<std::size_t>(medium)];
   if (!m.dispersive || !beam.monochromatic()) return m.index_d;
-  return waves_.indices(medium, beam.wave)[static_cast<std::size_t>(beam.wave_band)];
+  return waves_.indices(medium, beam.wave)[static_cast<std::size_t>(beam.wave_tooth)];
 }
 
 void Tracer::add_background(Vec3 const& direction, Beam const& beam) {

@@ -4,8 +4,10 @@
 #include "geometry/fan.hpp"
 #include "render/arena.hpp"
 #include "render/beam.hpp"
+#include "render/camera.hpp"
 #include "render/interface.hpp"
 #include "render/path_record.hpp"
+#include "render/route.hpp"
 #include "render/sample_film.hpp"
 #include "render/stage.hpp"
 #include "render/wave_tables.hpp"
@@ -54,6 +56,7 @@ struct FanRay {
 /// Counts of one thread, added up for the report.
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, monochromatic = 0, shadow = 0;
+  std::uint64_t splits = 0; ///< refractions of a polychromatic ray into monochromatic ones
   void add(RayCounts const& other);
   void subtract(RayCounts const& other);
   std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
@@ -75,7 +78,8 @@ struct CutLight {
 /// it is met.
 class Tracer {
 public:
-  explicit Tracer(Stage const& stage);
+  /// @param footprint of a pixel of the picture
+  explicit Tracer(Stage const& stage, Footprint footprint = {});
 
   /// Light arriving along a camera ray. @param bands one value a channel, or empty
   Vec3 sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands);
@@ -105,6 +109,7 @@ public:
 
 private:
   friend class PathRecorder;
+  friend class Route;
   template <int Lanes>
   friend class Shader;
   friend class FanShadows;
@@ -161,9 +166,6 @@ private:
   LaneSurface shade_lane(PathRay const& ray, Beam const& lane, Frame& frame,
                          FanInterface const& met, std::size_t k, LaneInterface& face,
                          InsideNode const* after, FanShadows& shadows);
-  static Beam one_lane(Beam const& beam, int k) { return beam_of(beam, 1, k); }
-  /// The light of ray k of a fan.
-  static Beam beam_of(Beam const& beam, int lanes_each, int k);
   std::span<double const> together_light(std::size_t sample) const {
     auto const n = static_cast<std::size_t>(stage_.channels);
     return {together_light_.data() + sample * n, n};
@@ -183,34 +185,64 @@ private:
   static Vec3 mirrored_direction(Vec3 const& direction, LaneInterface const& face);
   void transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                 LaneSurface const& surface, InsideNode const* after);
+
+  // tracer_split.cpp
   void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
              InsideNode const* after);
-  /// Sends the companion of a beam that meets its first stochastic material (Beam::control).
-  void follow_control(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
-                      LaneSurface const& surface, InsideNode const* after);
   /// A split in the published scheme: lane by lane, as each becomes two.
-  void split_faithfully(PathRay const& ray, Beam const& beam, Frame& frame,
+  void split_doubled(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                     InsideNode const* after);
+  /// One tooth goes on, for all.
+  void split_picked(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                    InsideNode const* after);
+  /// Lanes go together where their neighbours' routes agree within the tolerance.
+  void split_adaptively(PathRay const& ray, Beam const& beam, Frame& frame,
                         LaneInterface const& face, InsideNode const* after);
-  /// The beam once it met a dispersing material of this stochastic setting: its light is kept apart
-  /// on the film.
-  Beam jittered(Beam const& beam, int jitter);
+  struct AdaptiveSplit;
+  /// Has a route told of every ray, as long as it lives.
+  struct Watch {
+    Watch(Tracer& tracer, Route& route) : tracer_(tracer) {
+      tracer_.route_ = &route;
+      tracer_.ready_frames_ = 0;
+    }
+    ~Watch() {
+      tracer_.route_->end(tracer_);
+      tracer_.route_ = nullptr;
+    }
+    Watch(Watch const&) = delete;
+    Watch& operator=(Watch const&) = delete;
+    Tracer& tracer_;
+  };
+  /// A beam that no comb has split meets its first stochastic material: its teeth, and the control
+  /// light that goes with them, on slots of their own.
+  void meet_comb(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                 InsideNode const* after);
+  /// The beam with a lane a tooth.
+  Beam combed(Beam const& beam, int comb);
   /// The published scheme: every lane becomes two, of the bands that its wavelength falls between.
-  Beam doubled(Beam const& beam, int jitter);
+  Beam doubled(Beam const& beam, int comb);
+  std::uint32_t const* picked_control_slots(Beam const& control);
+  /// The beam, its light to be lost.
+  Beam unlit(Beam const& beam);
 
   /// Where a ray of this depth keeps what it meets.
   Frame& frame(int depth, PathRay const& ray, Beam const& beam) {
     if (depth >= ready_frames_) prepare_frame(depth, ray, beam);
     return frames_[static_cast<std::size_t>(depth)];
   }
-  /// Makes frames as they are needed; with a recorder, none is ever ready without its knowing.
+  /// Makes frames as they are needed; with a recorder or a route, none is ever ready without its
+  /// knowing.
   void prepare_frame(int depth, PathRay const& ray, Beam const& beam);
 
   Stage const& stage_;
+  Footprint footprint_;
   Arena arena_;
   geometry::ScratchPtr scratch_;
   std::deque<Frame> frames_;
   int ready_frames_ = 0;
   PathRecorder* recorder_ = nullptr;
+  Route* route_ = nullptr;
+  std::deque<Route> routes_;
   int depth_ = 0;
   WaveTables waves_;
   SampleFilm film_;
@@ -221,6 +253,7 @@ private:
   std::vector<double> together_light_; ///< of samples(): one a channel for the first, the next ..
   std::vector<std::uint16_t> all_channels_;
   std::vector<std::uint32_t> all_slots_;
+  std::vector<std::uint16_t> all_teeth_;
   InsideNode const* camera_inside_ = nullptr;
   Arena camera_arena_;
   RayCounts counts_;

@@ -13,26 +13,18 @@ using geometry::FanHit;
 using geometry::FanHits;
 using geometry::FanLines;
 
-Beam Tracer::beam_of(Beam const& beam, int lanes_each, int k) {
-  Beam own = beam;
-  own.lanes = lanes_each;
-  own.channel += k * lanes_each;
-  own.slot += k * lanes_each;
-  own.throughput += k * lanes_each;
-  own.wave_band = own.channel[0];
-  return own;
-}
-
 void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind) {
   Arena::Scope const scope(arena_);
   int const each = fan.lanes_each, rays = beam.lanes / each;
   auto const room = geometry::fan_width * static_cast<std::size_t>(each);
   auto* lines = arena_.take<FanLines>(1);
   auto* channel = arena_.take<std::uint16_t>(room);
+  auto* tooth = arena_.take<std::uint16_t>(room);
   auto* slot = arena_.take<std::uint32_t>(room);
   auto* throughput = arena_.take<double>(room);
   Beam some = beam;
   some.channel = channel;
+  some.tooth = tooth;
   some.slot = slot;
   some.throughput = throughput;
   FanRay next = fan;
@@ -40,7 +32,7 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
   std::size_t n = 0;
   int lanes = 0;
   for (int k = 0; k < rays; ++k) {
-    Beam const own = beam_of(beam, each, k);
+    Beam const own = beam.ray(k, each);
     if (!any_above(own.throughput, each, stage_.adc_bailout)) {
       cut(own, each);
       continue;
@@ -48,6 +40,7 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
     ++kind;
     lines->copy(n, *fan.lines, static_cast<std::size_t>(k));
     std::copy_n(own.channel, each, channel + lanes);
+    std::copy_n(own.tooth, each, tooth + lanes);
     std::copy_n(own.slot, each, slot + lanes);
     std::copy_n(own.throughput, each, throughput + lanes);
     lanes += each;
@@ -57,14 +50,14 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
   if (n > 0) lines->fill();
   some.lanes = lanes;
   if (n > 1 && recorder_ == nullptr) return trace_fan(next, some);
-  for (int k = 0; k < static_cast<int>(n); ++k) trace(next.lane(k), beam_of(some, each, k));
+  for (int k = 0; k < static_cast<int>(n); ++k) trace(next.lane(k), some.ray(k, each));
 }
 
 void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
   std::size_t const n = fan.lines->count;
   int const each = fan.lanes_each;
   if (fan.level >= stage_.max_trace_level) {
-    for (int k = 0; k < beam.lanes; k += each) cut(beam_of(beam, each, k / each), each);
+    for (int k = 0; k < beam.lanes; k += each) cut(beam.ray(k / each, each), each);
     return;
   }
   ++depth_;
@@ -79,14 +72,14 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
     auto const k = static_cast<int>(first);
     if (hit.kind == FanHit::Kind::Nothing) {
       if (fan.inside)
-        arrive(fan.lane(k), beam_of(beam, each, k), here, false);
+        arrive(fan.lane(k), beam.ray(k, each), here, false);
       else
-        add_background(fan.lines->direction.get(first), beam_of(beam, each, k));
+        add_background(fan.lines->direction.get(first), beam.ray(k, each));
       continue;
     }
     if (hit.kind == FanHit::Kind::Unclear) {
       --depth_;
-      trace(fan.lane(k), beam_of(beam, each, k));
+      trace(fan.lane(k), beam.ray(k, each));
       ++depth_;
       continue;
     }
@@ -113,8 +106,8 @@ void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hi
     lines->fill();
     run.lines = lines;
     found = part;
-    lanes = beam_of(beam, fan.lanes_each, static_cast<int>(first));
-    lanes.lanes = static_cast<int>(count) * fan.lanes_each;
+    lanes = beam.from(static_cast<int>(first) * fan.lanes_each,
+                      static_cast<int>(count) * fan.lanes_each);
   }
   auto* face = arena_.take<FanInterface>(1);
   bool const plain = !stage_.has_priorities && !stage_.has_leaks;
@@ -123,7 +116,7 @@ void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hi
     return;
   for (int k = 0; k < static_cast<int>(count); ++k) {
     found->write(static_cast<std::size_t>(k), here.hit);
-    arrive(run.lane(k), beam_of(lanes, fan.lanes_each, k), here, true);
+    arrive(run.lane(k), lanes.ray(k, fan.lanes_each), here, true);
   }
 }
 
@@ -161,7 +154,7 @@ void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, st
                           double* out) {
   if (medium.dispersive && beam.monochromatic()) {
     auto const of_wave = waves_.indices(number, beam.wave);
-    for (std::size_t k = 0; k < rays; ++k) out[k] = of_wave[beam.channel[k]];
+    for (std::size_t k = 0; k < rays; ++k) out[k] = of_wave[beam.tooth[k]];
   } else {
     std::fill_n(out, rays, medium.index_d);
   }
@@ -211,7 +204,7 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   for (std::size_t k = 0; k < n; ++k) {
     Arena::Scope const of_ray(arena_);
     auto const number = static_cast<int>(k);
-    Beam own = beam_of(through, each, number);
+    Beam own = through.ray(number, each);
     double* const light = own.throughput;
     double* const returns = back.throughput + number * each;
     absorb(own, before, hits.t[k]);

@@ -54,8 +54,14 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
   face.fresnel = before.fresnel || after.fresnel;
   face.split_medium = after.dispersive ? face.after : face.before;
   Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
-  face.splits = face.before != face.after && !beam.locked && governing.dispersive
-                && !(beam.control && governing.jitter >= 0);
+  bool const disperses = face.before != face.after && !beam.locked && governing.dispersive;
+  face.comb = beam.comb != no_comb ? beam.comb : governing.comb;
+  optics::Comb const* const comb =
+      face.comb != no_comb ? &stage_.combs[static_cast<std::size_t>(face.comb)] : nullptr;
+  face.doubles = comb && comb->follow == optics::Comb::Follow::Doubled;
+  face.picks = disperses && comb && comb->picks_one();
+  // The companion of a comb goes on as if nothing dispersed.
+  face.splits = disperses && !(beam.control && comb);
   if (!face.splits) {
     double const n1 = index_of(face.before, beam);
     double const n2 = index_of(face.after, beam);
@@ -68,15 +74,14 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
     return;
   }
   face.bends = true;
-  bool const second = beam.monochromatic() || beam.lanes > stage_.channels;
-  face.split_wave = governing.jitter < 0 ? band_means
-                    : second             ? waves_.second_draw(governing.jitter)
-                                         : waves_.first_draw(governing.jitter);
+  face.split_wave = !comb                                  ? band_means
+                    : face.doubles && beam.comb != no_comb ? waves_.second_draw(face.comb)
+                                                           : waves_.first_draw(face.comb);
   auto const n1 = waves_.indices(face.before, face.split_wave);
   auto const n2 = waves_.indices(face.after, face.split_wave);
   face.per_lane = arena_.take<optics::Interface<double>>(n);
   for (std::size_t k = 0; k < n; ++k) {
-    auto const c = beam.channel[k];
+    auto const c = beam.tooth[k];
     face.per_lane[k] = optics::fresnel<double>(n1[c], n2[c], n2[c] - n1[c], cos_i, sin2_i);
     face.reflectance[k] = face.per_lane[k].reflectance;
     face.transmittance[k] = face.per_lane[k].transmittance;
@@ -99,37 +104,11 @@ void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
       beam.throughput[k] *= distance_fade(before, beam.channel[k], ray.travelled + frame.hit.t);
   find_normals(ray, frame, face);
   find_interface(beam, ray.line.direction, face);
+  if (face.splits && face.comb != no_comb && beam.comb == no_comb)
+    return meet_comb(ray, beam, frame, face, after);
   LaneSurface const surface = shade(ray, beam, frame, face, after);
   reflect(ray, beam, frame, face, surface);
   transmit(ray, beam, frame, face, surface, after);
-  if (face.splits) follow_control(ray, beam, frame, face, surface, after);
-}
-
-void Tracer::follow_control(PathRay const& ray, Beam const& beam, Frame& frame,
-                            LaneInterface const& face, LaneSurface const& surface,
-                            InsideNode const* after) {
-  int const jitter = stage_.media[static_cast<std::size_t>(face.split_medium)].jitter;
-  // Light that is apart on the film already has its companion.
-  if (jitter < 0 || !film_.has_control(jitter)
-      || beam.slot[0] >= static_cast<std::uint32_t>(stage_.channels))
-    return;
-  Arena::Scope const scope(arena_);
-  auto const n = static_cast<std::size_t>(beam.lanes);
-  auto* slot = arena_.take<std::uint32_t>(n);
-  Beam control = beam;
-  control.control = true;
-  control.slot = slot;
-  LaneInterface middle = face;
-  find_interface(control, ray.line.direction, middle);
-  LaneSurface own = surface;
-  if (surface.explicit_reflection) {
-    // It may mirror by its Fresnel reflectance. Its own light was added with the beam's.
-    std::fill_n(slot, n, film_.unused_slot());
-    own = shade(ray, control, frame, middle, after);
-  }
-  for (std::size_t k = 0; k < n; ++k) slot[k] = film_.control_slot(jitter, beam.channel[k]);
-  reflect(ray, control, frame, middle, own);
-  transmit(ray, control, frame, middle, own, after);
 }
 
 void Tracer::pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after) {
@@ -141,45 +120,6 @@ void Tracer::pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode
   next.inside = after;
   next.travelled += frame.hit.t;
   trace(next, beam);
-}
-
-Beam Tracer::jittered(Beam const& beam, int jitter) {
-  JitterSettings const& settings = stage_.jitters[static_cast<std::size_t>(jitter)];
-  if (settings.faithful)
-    return !beam.monochromatic() && beam.lanes == stage_.channels ? doubled(beam, jitter) : beam;
-  // Triangular jitter draws the wavelength from the band's own hat: its light is the band's, whole.
-  if (settings.jitter == scene::DispersionMode::Jitter::Triangular) return beam;
-  Beam out = beam;
-  auto* slot = arena_.take<std::uint32_t>(static_cast<std::size_t>(beam.lanes));
-  for (int k = 0; k < beam.lanes; ++k)
-    slot[k] = beam.slot[k] < static_cast<std::uint32_t>(stage_.channels)
-                  ? film_.jittered_slot(jitter, beam.channel[k])
-                  : beam.slot[k];
-  out.slot = slot;
-  return out;
-}
-
-Beam Tracer::doubled(Beam const& beam, int jitter) {
-  auto const n = static_cast<std::size_t>(beam.lanes);
-  auto* channel = arena_.take<std::uint16_t>(2 * n);
-  auto* slot = arena_.take<std::uint32_t>(2 * n);
-  Beam out = beam;
-  out.lanes = 2 * beam.lanes;
-  out.locked = false;
-  out.throughput = arena_.take<double>(2 * n);
-  auto const spreads = waves_.spreads(waves_.first_draw(jitter));
-  for (std::size_t k = 0; k < n; ++k) {
-    auto const& spread = spreads[beam.channel[k]];
-    channel[2 * k] = static_cast<std::uint16_t>(spread.first);
-    channel[2 * k + 1] = static_cast<std::uint16_t>(spread.second);
-    slot[2 * k] = film_.faithful_slot(jitter, beam.channel[k], false);
-    slot[2 * k + 1] = film_.faithful_slot(jitter, beam.channel[k], true);
-    out.throughput[2 * k] = beam.throughput[k] * spread.first_weight;
-    out.throughput[2 * k + 1] = beam.throughput[k] * spread.second_weight;
-  }
-  out.channel = channel;
-  out.slot = slot;
-  return out;
 }
 
 Vec3 Tracer::mirrored_direction(Vec3 const& incident, LaneInterface const& face) {
@@ -207,10 +147,7 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
   }
   if (!any_above(mirrored.throughput, beam.lanes, stage_.adc_bailout))
     return cut(mirrored, beam.lanes);
-  if (face.splits) {
-    Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
-    if (governing.jitter >= 0) mirrored = jittered(mirrored, governing.jitter);
-  }
+  if (face.splits && face.doubles && beam.comb == no_comb) mirrored = doubled(mirrored, face.comb);
   frame.back.on = frame.hit.members;
   frame.back.through = false;
   PathRay const next{
@@ -249,6 +186,7 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
   frame.through.on = frame.hit.members;
   frame.through.through = true;
   if (face.splits) return split(ray, passed, frame, face, after);
+  if (face.picks) passed.slot = picked_control_slots(passed);
   PathRay next{{frame.hit.point, ray.line.direction, frame.hit.point_error},
                &frame.through,
                after,
@@ -260,64 +198,6 @@ void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneIn
   }
   ++counts_.refracted;
   trace(next, passed);
-}
-
-void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
-                   InsideNode const* after) {
-  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
-  bool const faithful =
-      governing.jitter >= 0 && stage_.jitters[static_cast<std::size_t>(governing.jitter)].faithful;
-  if (faithful) return split_faithfully(ray, beam, frame, face, after);
-  Arena::Scope const scope(arena_);
-  // The lanes of the beam, on the film where their kind of wavelength is added up.
-  Beam apart = beam;
-  apart.wave = face.split_wave;
-  apart.locked = true;
-  if (governing.jitter >= 0) apart = jittered(apart, governing.jitter);
-  constexpr int width = geometry::fan_width;
-  auto* lines = arena_.take<geometry::FanLines>(1);
-  for (int first = 0; first < beam.lanes; first += width) {
-    Beam some = apart;
-    some.lanes = std::min(width, beam.lanes - first);
-    some.channel += first;
-    some.slot += first;
-    some.throughput += first;
-    for (int k = 0; k < some.lanes; ++k) {
-      auto const at = static_cast<std::size_t>(k);
-      lines->origin.set(at, frame.hit.point);
-      lines->origin_error.set(at, frame.hit.point_error);
-      lines->direction.set(
-          at, optics::refracted(face.per_lane[first + k], ray.line.direction, face.normal));
-    }
-    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, some,
-                counts_.monochromatic);
-  }
-}
-
-void Tracer::split_faithfully(PathRay const& ray, Beam const& beam, Frame& frame,
-                              LaneInterface const& face, InsideNode const* after) {
-  Medium const& governing = stage_.media[static_cast<std::size_t>(face.split_medium)];
-  bool const first = !beam.monochromatic() && beam.lanes == stage_.channels;
-  for (int k = 0; k < beam.lanes; ++k) {
-    Beam lane = one_lane(beam, k);
-    if (!(lane.throughput[0] > stage_.adc_bailout)) {
-      cut(lane, 1);
-      continue;
-    }
-    Arena::Scope const scope(arena_);
-    lane.wave = face.split_wave;
-    lane.locked = true;
-    if (first) lane = doubled(lane, governing.jitter);
-    PathRay const next{{frame.hit.point,
-                        optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
-                        frame.hit.point_error},
-                       &frame.through,
-                       after,
-                       ray.level + 1,
-                       ray.mask};
-    ++counts_.monochromatic;
-    trace(next, lane);
-  }
 }
 
 } // namespace abbe::render

@@ -1,105 +1,223 @@
 // SPDX-License-Identifier: MIT
 #include "render/wave_tables.hpp"
 
+#include "base/blue_noise.hpp"
 #include "render/beam.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abbe::render {
+namespace {
 
-WaveTables::WaveTables(Stage const& stage) : stage_(stage), tables_(2 * stage.jitters.size()) {
-  if (!stage.jitters.empty()) hats_.emplace(*stage.bands);
+using Jitter = optics::Comb::Jitter;
+
+// Dimensions of a sample's random numbers.
+constexpr std::uint64_t first_offset = 0, second_offset = 1, choice = 2, tooth_offsets = 16;
+
+double fraction(double value) {
+  return value - std::floor(value);
+}
+
+/// The golden ratio, then those of the plane (M. Roberts 2018): irrational, and not each other's
+/// multiples.
+constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
+
+} // namespace
+
+double SampleKey::uniform(std::uint64_t dimension) const {
+  return fraction(pixel.uniform(dimension)
+                  + static_cast<double>(number) * steps[dimension % steps.size()]);
+}
+
+double SampleKey::independent(std::uint64_t dimension) const {
+  return pixel.child(number).uniform(dimension);
+}
+
+double SampleKey::blue() const {
+  return fraction(blue_noise(x, y) + static_cast<double>(number) * steps[0]);
+}
+
+WaveTables::WaveTables(Stage const& stage) : stage_(stage), tables_(2 * stage.combs.size()) {
+  if (!stage.combs.empty()) hats_.emplace(stage.bands());
   for (auto& table : tables_) {
     table.indices_known.resize(stage.media.size());
     table.indices.resize(stage.media.size());
   }
 }
 
-double SampleKey::uniform(std::uint64_t dimension) const {
-  constexpr double golden_step = 0.6180339887498949;
-  double const value = pixel.uniform(dimension) + static_cast<double>(number) * golden_step;
-  return value - std::floor(value);
-}
-
 void WaveTables::start_sample(SampleKey key) {
   key_ = key;
   for (auto& table : tables_) {
-    table.lambdas_known = table.spreads_known = table.weights_known = false;
+    table.lambdas_known = table.spreads_known = table.weights_known = table.pick_known = false;
     table.indices_known.assign(table.indices_known.size(), false);
   }
 }
 
-double WaveTables::offset(int wave) const {
-  bool const second = wave >= jitter_count();
-  JitterSettings const& settings =
-      stage_.jitters[static_cast<std::size_t>(second ? wave - jitter_count() : wave)];
-  optics::StochasticDispersion mode;
-  mode.jitter = settings.jitter == scene::DispersionMode::Jitter::Triangular
-                    ? optics::StochasticDispersion::Jitter::Triangular
-                    : optics::StochasticDispersion::Jitter::Uniform;
-  mode.width_bands = settings.width_bands;
-  return optics::jitter_offset(mode, key_.uniform(second ? 1 : 0));
+int WaveTables::drawn_teeth(int comb) const {
+  int const asked = stage_.combs[static_cast<std::size_t>(comb)].teeth;
+  return asked > 0 ? asked : stage_.bands().count();
+}
+
+int WaveTables::teeth(int comb) const {
+  return drawn_teeth(comb) + stage_.channels - stage_.bands().count();
+}
+
+double WaveTables::offset(int wave, int tooth) const {
+  optics::Comb const& comb = comb_of(wave);
+  auto const dimension = wave >= comb_count() ? second_offset : first_offset;
+  double u = 0;
+  switch (comb.jitter) {
+  case Jitter::LowDiscrepancy:
+  case Jitter::Triangular:
+    u = key_.uniform(dimension);
+    break;
+  case Jitter::Uniform:
+    u = key_.independent(dimension);
+    break;
+  case Jitter::Stratified:
+    u = key_.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension);
+    break;
+  case Jitter::BlueNoise:
+    u = dimension == first_offset ? key_.blue() : key_.uniform(dimension);
+    break;
+  }
+  // One number draws the hero and the offset of the whole comb: the hero's own wavelength then
+  // takes even steps over the whole range.
+  if (comb.follow == optics::Comb::Follow::Hero) u = fraction(u * drawn_teeth(wave % comb_count()));
+  return optics::jitter_offset(comb, u);
+}
+
+void WaveTables::draw(int wave, Table& out) const {
+  optics::Bands const& bands = stage_.bands();
+  int const m = drawn_teeth(wave % comb_count());
+  out.lambdas_nm.clear();
+  out.channels.clear();
+  for (int i = 0; i < m; ++i) {
+    double const xi = offset(wave, i);
+    bool const own_band = m == bands.count() && std::abs(xi) <= 0.5;
+    double const lambda_nm =
+        m == bands.count() ? hats_->jittered(i, xi) : hats_->at((i + 0.5 + xi) * bands.count() / m);
+    out.lambdas_nm.push_back(lambda_nm);
+    out.channels.push_back(static_cast<std::uint16_t>(own_band ? i : bands.index_of(lambda_nm)));
+  }
+  // Emission lines are where they are.
+  for (int c = bands.count(); c < stage_.channels; ++c) {
+    out.lambdas_nm.push_back(stage_.lambda_nm(c));
+    out.channels.push_back(static_cast<std::uint16_t>(c));
+  }
+}
+
+WaveTables::Table& WaveTables::drawn(int wave) {
+  Table& t = tables_[static_cast<std::size_t>(wave)];
+  if (!t.lambdas_known) {
+    draw(wave, t);
+    t.lambdas_known = true;
+  }
+  return t;
 }
 
 std::span<double const> WaveTables::lambdas_nm(int wave) {
-  if (wave == band_means) return stage_.bands->centers();
-  Table& t = table(wave);
-  if (!t.lambdas_known) {
-    double const xi = offset(wave);
-    t.lambdas_nm.clear();
-    for (int i = 0; i < stage_.channels; ++i) t.lambdas_nm.push_back(hats_->jittered(i, xi));
-    t.lambdas_known = true;
-  }
-  return t.lambdas_nm;
+  return wave == band_means ? stage_.lambdas_nm : drawn(wave).lambdas_nm;
+}
+
+std::span<std::uint16_t const> WaveTables::channels(int wave) {
+  return drawn(wave).channels;
 }
 
 std::span<double const> WaveTables::indices(int medium, int wave) {
   Medium const& m = stage_.media[static_cast<std::size_t>(medium)];
-  if (wave == band_means && m.dispersive) return m.index;
-  if (!m.dispersive) return m.flat_index;
-  Table& t = table(wave);
+  if (wave == band_means) return m.dispersive ? m.index : m.flat_index;
+  Table& t = drawn(wave);
   auto const number = static_cast<std::size_t>(medium);
   if (!t.indices_known[number]) {
     auto& values = t.indices[number];
     values.clear();
-    for (double const lambda_nm : lambdas_nm(wave))
-      values.push_back(m.glass->index_unchecked(lambda_nm));
+    for (double const lambda_nm : t.lambdas_nm)
+      values.push_back(m.dispersive ? m.glass->index_unchecked(lambda_nm) : m.index_d);
     t.indices_known[number] = true;
   }
   return t.indices[number];
 }
 
-std::span<WaveTables::Spread const> WaveTables::spreads(int wave) {
-  Table& t = table(wave);
-  if (!t.spreads_known) {
-    auto const realised = hats_->realised_weights(offset(wave));
-    auto const lambdas = lambdas_nm(wave);
-    int const last = stage_.channels - 1;
-    t.spreads.clear();
-    for (int i = 0; i <= last; ++i) {
-      auto const hat = hats_->spread(lambdas[static_cast<std::size_t>(i)]);
-      int const upper = std::min(hat.lower + 1, last);
-      double const width = stage_.bands->width(i);
-      auto const weight = [&](int j, double part) {
-        double const received = realised[static_cast<std::size_t>(j)];
-        return part == 0 || received == 0 ? 0 : part * width / hats_->mass(j) / received;
-      };
-      t.spreads.push_back({hat.lower, upper, weight(hat.lower, 1 - hat.a), weight(upper, hat.a)});
-    }
-    t.spreads_known = true;
+WaveTables::Pick WaveTables::pick(int comb) {
+  Table& t = drawn(first_draw(comb));
+  if (t.pick_known) return t.pick;
+  t.pick_known = true;
+  int const m = drawn_teeth(comb);
+  optics::Comb const& settings = stage_.combs[static_cast<std::size_t>(comb)];
+  if (settings.follow == optics::Comb::Follow::Hero) {
+    double const u = settings.jitter == Jitter::BlueNoise ? key_.blue()
+                     : settings.jitter == Jitter::Uniform ? key_.independent(first_offset)
+                                                          : key_.uniform(first_offset);
+    return t.pick = {std::min(static_cast<int>(u * m), m - 1), double(m)};
   }
+  // A tenth of the probability for all alike: what the eye sees badly must not come with weights
+  // without bound.
+  auto const share = [&](double lambda_nm) {
+    Vec3 const seen = stage_.bands().xyz_density(lambda_nm);
+    return seen.x + seen.y + seen.z;
+  };
+  double total = 0;
+  for (int i = 0; i < m; ++i) total += share(t.lambdas_nm[static_cast<std::size_t>(i)]);
+  double const u = key_.uniform(choice);
+  double below = 0;
+  for (int i = 0; i < m; ++i) {
+    double const seen =
+        total > 0 ? share(t.lambdas_nm[static_cast<std::size_t>(i)]) / total : 1.0 / m;
+    double const probability = 0.1 / m + 0.9 * seen;
+    below += probability;
+    t.pick = {i, 1 / probability};
+    if (u < below) break;
+  }
+  return t.pick;
+}
+
+double WaveTables::width_nm(int wave, double lambda_nm) const {
+  optics::Bands const& bands = stage_.bands();
+  return bands.width(bands.index_of(lambda_nm)) * bands.count() / drawn_teeth(wave % comb_count());
+}
+
+std::span<WaveTables::Spread const> WaveTables::spreads(int wave) {
+  Table& t = drawn(wave);
+  if (t.spreads_known) return t.spreads;
+  t.spreads_known = true;
+  int const count = stage_.bands().count(), m = drawn_teeth(wave % comb_count());
+  std::vector<double> received(static_cast<std::size_t>(count), 0.0);
+  t.spreads.clear();
+  for (int i = 0; i < m; ++i) {
+    double const lambda_nm = t.lambdas_nm[static_cast<std::size_t>(i)];
+    auto const hat = hats_->spread(lambda_nm);
+    double const width = width_nm(wave, lambda_nm);
+    Spread s{hat.lower, std::min(hat.lower + 1, count - 1), 0, 0};
+    s.first_weight = (1 - hat.a) * width / hats_->mass(s.first);
+    s.second_weight = hat.a * width / hats_->mass(s.second);
+    received[static_cast<std::size_t>(s.first)] += s.first_weight;
+    received[static_cast<std::size_t>(s.second)] += s.second_weight;
+    t.spreads.push_back(s);
+  }
+  // With fewer teeth than bands some bands receive nothing: only the mean is right.
+  if (m >= count)
+    for (Spread& s : t.spreads) {
+      if (s.first_weight != 0) s.first_weight /= received[static_cast<std::size_t>(s.first)];
+      if (s.second_weight != 0) s.second_weight /= received[static_cast<std::size_t>(s.second)];
+    }
+  for (int c = count; c < stage_.channels; ++c) t.spreads.push_back({c, c, 1, 0});
   return t.spreads;
 }
 
 std::span<Vec3 const> WaveTables::rgb_weights(int wave) {
-  Table& t = table(wave);
+  Table& t = drawn(wave);
   if (!t.weights_known) {
-    optics::Bands const& bands = *stage_.bands;
     t.rgb_weights.clear();
-    for (double const lambda_nm : lambdas_nm(wave))
-      t.rgb_weights.push_back(bands.width(bands.index_of(lambda_nm))
-                              * bands.rgb_density(lambda_nm));
+    int const m = drawn_teeth(wave % comb_count());
+    for (int i = 0; i < m; ++i) {
+      double const lambda_nm = t.lambdas_nm[static_cast<std::size_t>(i)];
+      t.rgb_weights.push_back(width_nm(wave, lambda_nm) * stage_.bands().rgb_density(lambda_nm));
+    }
+    for (int c = stage_.bands().count(); c < stage_.channels; ++c)
+      t.rgb_weights.push_back(stage_.rgb_weights[static_cast<std::size_t>(c)]);
     t.weights_known = true;
   }
   return t.rgb_weights;

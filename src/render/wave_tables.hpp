@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/random.hpp"
-#include "optics/dispersion.hpp"
+#include "optics/band_hats.hpp"
 #include "render/stage.hpp"
 
 #include <span>
@@ -11,36 +11,52 @@
 namespace abbe::render {
 
 /// What the random numbers of a sample hang on: its pixel, and its number within it. The numbers of
-/// a pixel's samples are spread evenly over the unit interval (golden ratio steps from a random
-/// start), so that anti-aliasing averages the wavelengths too.
+/// a pixel's samples are spread evenly over the unit interval (steps by irrational numbers from a
+/// random start), so that anti-aliasing averages the wavelengths too.
 struct SampleKey {
   RandomKey pixel;
   std::uint64_t number = 0;
+  std::int64_t x = 0, y = 0; ///< of the pixel
   double uniform(std::uint64_t dimension) const;
+  /// Of this sample alone, not spread.
+  double independent(std::uint64_t dimension) const;
+  /// As uniform(), from a start that neighbouring pixels have far apart.
+  double blue() const;
 };
 
 /// The wavelengths of one camera sample and the indices of the glasses there, made on first need.
-///
-/// All bands of a sample are jittered by one common offset (a comb): interior bands then add up
-/// exactly (research brief 1.3). Tables: `band_means`, then for each stochastic setting its first
-/// draw, then for each its second draw (used by the published scheme at the second refraction).
+/// Tables: `band_means`, then for each comb its first draw, then for each its second draw (used by
+/// the published scheme at the second refraction).
 class WaveTables {
 public:
   explicit WaveTables(Stage const& stage);
 
   void start_sample(SampleKey key);
 
-  int first_draw(int jitter) const { return jitter; }
-  int second_draw(int jitter) const { return jitter_count() + jitter; }
-  int jitter_count() const { return static_cast<int>(stage_.jitters.size()); }
+  int first_draw(int comb) const { return comb; }
+  int second_draw(int comb) const { return comb_count() + comb; }
+  int comb_count() const { return static_cast<int>(stage_.combs.size()); }
+  /// Number of wavelengths of a comb: those that it draws, then the emission lines.
+  int teeth(int comb) const;
+  int drawn_teeth(int comb) const;
 
   std::span<double const> lambdas_nm(int wave);
+  /// The channel of materials and lights in which each wavelength of a table lies.
+  std::span<std::uint16_t const> channels(int wave);
   /// Index of refraction of a medium at each wavelength of a table.
   std::span<double const> indices(int medium, int wave);
 
-  /// Where the light of band i goes on the spectral film under a draw: the two bands between whose
-  /// centres its wavelength falls. The weights are divided by what each band receives from the
-  /// whole comb, so that a flat spectrum stays exactly flat.
+  /// The tooth of a comb that goes on alone in this sample, and 1 / its probability.
+  struct Pick {
+    int tooth = 0;
+    double weight = 1;
+  };
+  /// @pre the comb picks one
+  Pick pick(int comb);
+
+  /// Where the light of a tooth goes on the spectral film: the two channels between whose centres
+  /// its wavelength falls. With a tooth a band or more, the weights are divided by what each band
+  /// receives from the whole comb, so that a flat spectrum stays exactly flat.
   struct Spread {
     int first = 0;
     int second = 0;
@@ -49,21 +65,30 @@ public:
   };
   std::span<Spread const> spreads(int wave);
   /// Colour of one unit of light at each wavelength of the draw: the colour-matching functions
-  /// there times the width of the band there. The mean over the draws is the band's colour.
+  /// there times the width of its stratum. The mean of their sum over the draws is the white.
   std::span<Vec3 const> rgb_weights(int wave);
 
 private:
   struct Table {
-    bool lambdas_known = false, spreads_known = false, weights_known = false;
+    bool lambdas_known = false, spreads_known = false, weights_known = false, pick_known = false;
     std::vector<double> lambdas_nm;
+    std::vector<std::uint16_t> channels;
     std::vector<Spread> spreads;
     std::vector<Vec3> rgb_weights;
+    Pick pick;
     std::vector<bool> indices_known;          // by medium
     std::vector<std::vector<double>> indices; // by medium
   };
-  Table& table(int wave) { return tables_[static_cast<std::size_t>(wave)]; }
-  /// Offset from the centre of every band, in bands.
-  double offset(int wave) const;
+  optics::Comb const& comb_of(int wave) const {
+    return stage_.combs[static_cast<std::size_t>(wave % comb_count())];
+  }
+  /// With the wavelengths drawn.
+  Table& drawn(int wave);
+  void draw(int wave, Table& out) const;
+  /// Offset of a tooth from the middle of its stratum, in strata.
+  double offset(int wave, int tooth) const;
+  /// Width of a tooth's stratum at its wavelength, nm.
+  double width_nm(int wave, double lambda_nm) const;
 
   Stage const& stage_;
   std::optional<optics::BandHats> hats_;

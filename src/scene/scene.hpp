@@ -5,6 +5,7 @@
 #include "base/vec.hpp"
 #include "geometry/shape_ptr.hpp"
 #include "geometry/transform.hpp"
+#include "scene/dispersion_mode.hpp"
 #include "scene/effects.hpp"
 #include "texture/pattern.hpp"
 
@@ -85,15 +86,6 @@ struct Texture {
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;
 
-/// How a material that disperses splits a ray. `Inherit`: the scene's default.
-struct DispersionMode {
-  enum class Kind : std::uint8_t { Inherit, None, Deterministic, Stochastic } kind = Kind::Inherit;
-  enum class Jitter : std::uint8_t { Uniform, Triangular } jitter = Jitter::Uniform;
-  double jitter_width_bands = 1;
-  bool faithful = false; ///< fan-out 2 at the second refraction, as published
-  Span span;
-};
-
 struct Interior {
   Span span;
   double ior = 1;
@@ -162,6 +154,17 @@ struct Camera {
   Vec3 right{1.33, 0, 0};
 };
 
+/// How light is put into numbers (docs/dispersion.md).
+/// Bands: means over bands. Composite: bands for what is smooth, and a channel for each emission
+/// line. Basis: wavelengths and weights that are exact for the scene's own lights and colours.
+/// Adaptive: bands as fine as these need, where they need it.
+struct Representation {
+  enum class Kind : std::uint8_t { Bands, Composite, Basis, Adaptive } kind = Kind::Bands;
+  int size = 0;           ///< of a basis
+  double tolerance = 0.5; ///< of Adaptive: CIEDE2000 of the worst colour
+  bool operator==(Representation const&) const = default;
+};
+
 struct SpectralSettings {
   Span span;
   bool requested = false; ///< a `spectral` block stands in the scene
@@ -170,8 +173,8 @@ struct SpectralSettings {
   double high_nm = 780;
   enum class Spacing : std::uint8_t { Uniform, Hall, Boundaries } spacing = Spacing::Uniform;
   std::vector<double> boundaries_nm;
-  DispersionMode dispersion{
-      DispersionMode::Kind::Deterministic, DispersionMode::Jitter::Uniform, 1, false, {}};
+  Representation representation;
+  DispersionMode dispersion{DispersionMode::Kind::Deterministic, {}, 0.5, {}};
   double mm_per_unit = 1;
 };
 

@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     'image': {'base'},
     'scene': {'base', 'optics', 'geometry', 'texture'},
     'lang': {'base', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
-    'plan': {'base', 'optics', 'geometry', 'texture', 'scene'},
+    'plan': {'base', 'optics', 'geometry', 'texture', 'scene', 'image'},
     'render': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'image'},
     'study': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'render', 'image'},
 }

@@ -30,20 +30,23 @@ struct Mode {
 };
 std::vector<Mode> modes() {
   using Kind = scene::DispersionMode::Kind;
-  using Jitter = scene::DispersionMode::Jitter;
-  auto const mode = [](Kind kind, Jitter jitter, double width, bool faithful) {
-    scene::DispersionMode out;
-    out.kind = kind;
-    out.jitter = jitter;
-    out.jitter_width_bands = width;
-    out.faithful = faithful;
-    return out;
+  using Jitter = optics::Comb::Jitter;
+  using Follow = optics::Comb::Follow;
+  auto const mode = [](Kind kind, optics::Comb const& comb = {}) {
+    return scene::DispersionMode{kind, comb, 0.5, {}};
   };
-  return {{"none", mode(Kind::None, Jitter::Uniform, 1, false)},
-          {"deterministic", mode(Kind::Deterministic, Jitter::Uniform, 1, false)},
-          {"stochastic", mode(Kind::Stochastic, Jitter::Uniform, 1, false)},
-          {"triangular", mode(Kind::Stochastic, Jitter::Triangular, 2, false)},
-          {"faithful", mode(Kind::Stochastic, Jitter::Uniform, 1, true)}};
+  auto const stochastic = [&](int teeth, Jitter jitter, double width, Follow follow) {
+    return mode(Kind::Stochastic, {teeth, jitter, width, follow});
+  };
+  return {{"none", mode(Kind::None)},
+          {"deterministic", mode(Kind::Deterministic)},
+          {"adaptive", mode(Kind::Adaptive)},
+          {"stochastic", mode(Kind::Stochastic)},
+          {"triangular", stochastic(0, Jitter::Triangular, 2, Follow::Every)},
+          {"faithful", stochastic(0, Jitter::LowDiscrepancy, 1, Follow::Doubled)},
+          {"rays 3", stochastic(3, Jitter::LowDiscrepancy, 1, Follow::Every)},
+          {"hero 4", stochastic(4, Jitter::LowDiscrepancy, 1, Follow::Hero)},
+          {"clusters 4 degrade", stochastic(4, Jitter::LowDiscrepancy, 1, Follow::Importance)}};
 }
 
 RenderResult render_with(scene::Scene& scene, Limits const& limits, Mode const& mode, int bands,

@@ -115,10 +115,10 @@ TEST(Dispersion, ModesAreRead) {
   EXPECT_EQ(mode("dispersion { none }").kind, Mode::Kind::None);
   EXPECT_EQ(mode("dispersion { deterministic }").kind, Mode::Kind::Deterministic);
   EXPECT_EQ(mode("dispersion { stochastic }").kind, Mode::Kind::Stochastic);
-  EXPECT_TRUE(mode("dispersion { stochastic faithful }").faithful);
+  EXPECT_EQ(mode("dispersion { stochastic faithful }").comb.follow, optics::Comb::Follow::Doubled);
   auto const jittered = mode("dispersion { stochastic jitter triangular 2 }");
-  EXPECT_EQ(jittered.jitter, Mode::Jitter::Triangular);
-  EXPECT_EQ(jittered.jitter_width_bands, 2);
+  EXPECT_EQ(jittered.comb.jitter, optics::Comb::Jitter::Triangular);
+  EXPECT_EQ(jittered.comb.width, 2);
   EXPECT_EQ(codes("sphere { 0, 1 interior { dispersion { } } }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 interior { dispersion { deterministic jitter uniform 1 } } }"),
             "E0252");

@@ -69,6 +69,13 @@ std::vector<Case> cases() {
     add("stochastic", stochastic());
     add("triangular", triangular());
     add("faithful", faithful());
+    if (bands > 45) continue;
+    using optics::Comb;
+    add("adaptive", adaptive(0.5));
+    add("rays", stochastic(Comb{5, Jitter::LowDiscrepancy, 1, Follow::Every}));
+    add("stratified", stochastic(Comb{0, Jitter::Stratified, 1, Follow::Every}));
+    add("hero", stochastic(Comb{4, Jitter::LowDiscrepancy, 1, Follow::Hero}));
+    add("degraded", stochastic(Comb{4, Jitter::BlueNoise, 1, Follow::Importance}));
   }
   return out;
 }

@@ -61,28 +61,24 @@ inline scene::Object with_glass(scene::Object object, optics::GlassPtr glass,
 }
 
 inline scene::DispersionMode none() {
-  return {scene::DispersionMode::Kind::None, {}, 1, false, {}};
+  return {scene::DispersionMode::Kind::None, {}, 0, {}};
 }
 inline scene::DispersionMode deterministic() {
-  return {scene::DispersionMode::Kind::Deterministic, {}, 1, false, {}};
+  return {scene::DispersionMode::Kind::Deterministic, {}, 0, {}};
 }
-inline scene::DispersionMode stochastic() {
-  return {scene::DispersionMode::Kind::Stochastic,
-          scene::DispersionMode::Jitter::Uniform,
-          1,
-          false,
-          {}};
+inline scene::DispersionMode adaptive(double tolerance_px) {
+  return {scene::DispersionMode::Kind::Adaptive, {}, tolerance_px, {}};
 }
+inline scene::DispersionMode stochastic(optics::Comb const& comb = {}) {
+  return {scene::DispersionMode::Kind::Stochastic, comb, 0, {}};
+}
+using Jitter = optics::Comb::Jitter;
+using Follow = optics::Comb::Follow;
 inline scene::DispersionMode triangular() {
-  return {scene::DispersionMode::Kind::Stochastic,
-          scene::DispersionMode::Jitter::Triangular,
-          2,
-          false,
-          {}};
+  return stochastic({0, Jitter::Triangular, 2, Follow::Every});
 }
 inline scene::DispersionMode faithful() {
-  return {
-      scene::DispersionMode::Kind::Stochastic, scene::DispersionMode::Jitter::Uniform, 1, true, {}};
+  return stochastic({0, Jitter::LowDiscrepancy, 1, Follow::Doubled});
 }
 
 inline image::Image picture(scene::Scene const& scene, RenderOptions const& options,

@@ -149,7 +149,13 @@ TEST(DispersionLimit, VanishingDispersionIsNoDispersion) {
     for (Vec3 const& wall : {Vec3(1), Vec3(.9, .35, .1)}) {
       auto const plain_image = picture(wedge(glass_of(1e-2), none(), bands, wall), options);
       int number = 0;
-      for (auto const& mode : {deterministic(), stochastic(), triangular(), faithful()}) {
+      using optics::Comb;
+      for (auto const& mode :
+           {deterministic(), stochastic(), triangular(), faithful(), adaptive(0.5),
+            stochastic(Comb{3, Jitter::LowDiscrepancy, 1, Follow::Every}),
+            stochastic(Comb{0, Jitter::Stratified, 1, Follow::Every}),
+            stochastic(Comb{4, Jitter::BlueNoise, 1, Follow::Hero}),
+            stochastic(Comb{4, Jitter::LowDiscrepancy, 1, Follow::Importance})}) {
         SCOPED_TRACE("mode " + std::to_string(number++) + ", bands " + std::to_string(bands));
         double before = 1;
         for (double spread = 1e-2; spread > 0.9e-12; spread /= 100) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "optics/dispersion.hpp"
+#include "optics/band_hats.hpp"
+#include "optics/comb.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +10,12 @@
 namespace abbe::optics {
 namespace {
 
-using Jitter = StochasticDispersion::Jitter;
+using Jitter = Comb::Jitter;
 
 std::vector<Bands> some_bands() {
   return {*Bands::uniform(1), *Bands::uniform(2),
           *Bands::uniform(8), *Bands::hall(16),
           *Bands::hall(3),    *Bands::from_edges({380, 400, 480, 490, 600, 780})};
-}
-
-TEST(Dispersion, ModesCompare) {
-  EXPECT_EQ(Dispersion(NoDispersion{}), Dispersion(NoDispersion{}));
-  EXPECT_NE(Dispersion(NoDispersion{}), Dispersion(DeterministicDispersion{}));
-  EXPECT_NE(Dispersion(StochasticDispersion{Jitter::Uniform, 1, true}),
-            Dispersion(StochasticDispersion{}));
 }
 
 TEST(BandHats, MassesSumToTheRange) {
@@ -88,13 +82,12 @@ TEST(BandHats, JitterWithinTheBandStaysInItAndIsLinear) {
 /// integrands.
 TEST(BandHats, ScatterIsUnbiased) {
   auto const radiance = [](double l) { return 1 + 0.01 * (l - 380) + std::cos(l / 30); };
-  for (StochasticDispersion const& mode : {StochasticDispersion{Jitter::Uniform, 1, false},
-                                           StochasticDispersion{Jitter::Uniform, 2, false},
-                                           StochasticDispersion{Jitter::Triangular, 2, false}})
+  for (Comb const& mode :
+       {Comb{0, Jitter::Uniform, 1}, Comb{0, Jitter::Uniform, 2}, Comb{0, Jitter::Triangular, 2}})
     for (Bands const& bands : some_bands()) {
       // A jitter wider than the band reaches neighbours: even coverage needs equal widths, and room
       // for one reflection.
-      if (mode.width_bands > 1 && (!bands.is_uniform() || bands.count() < 2)) continue;
+      if (mode.width > 1 && (!bands.is_uniform() || bands.count() < 2)) continue;
       BandHats const hats(bands);
       std::size_t const n = static_cast<std::size_t>(bands.count());
       std::vector<double> mean(n, 0.0), truth(n, 0.0);
@@ -114,19 +107,8 @@ TEST(BandHats, ScatterIsUnbiased) {
       }
       for (std::size_t j = 0; j < n; ++j)
         EXPECT_NEAR(mean[j], truth[j] / hats.mass(static_cast<int>(j)), 2e-5 * mean[j])
-            << bands.count() << ' ' << j << ' ' << mode.width_bands;
+            << bands.count() << ' ' << j << ' ' << mode.width;
     }
-}
-
-TEST(BandHats, RealisedWeightsAreOneInsideWithCommonJitter) {
-  BandHats const hats(*Bands::uniform(8));
-  for (double xi : {-0.4, 0.1, 0.5}) {
-    auto const w = hats.realised_weights(xi);
-    for (std::size_t j = 1; j + 1 < w.size(); ++j) EXPECT_NEAR(w[j], 1, 1e-14);
-    // The end bands keep 1 -+ xi (research 1.3).
-    EXPECT_NEAR(w.front() + w.back(), 2, 1e-14);
-    EXPECT_NEAR(std::abs(w.front() - 1), std::abs(xi), 1e-13);
-  }
 }
 
 TEST(JitterOffset, HasTheStatedDistribution) {

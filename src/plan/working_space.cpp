@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "render/working_space.hpp"
+#include "plan/working_space.hpp"
 
 #include "image/colour.hpp"
 
 #include <cmath>
 
-namespace abbe::render {
+namespace abbe::plan {
 
 WorkingSpace::WorkingSpace(scene::Settings const& settings) {
   bool const display_values = !settings.assumed_gamma && settings.version < 3.7;
@@ -30,4 +30,4 @@ double WorkingSpace::to_linear(double value) const {
   return value;
 }
 
-} // namespace abbe::render
+} // namespace abbe::plan

@@ -4,7 +4,7 @@
 #include "base/vec.hpp"
 #include "scene/scene.hpp"
 
-namespace abbe::render {
+namespace abbe::plan {
 
 /// The space that the numbers of a scene's colours are in (`assumed_gamma`), as a map to linear
 /// light. In r g b abbe calculates in that space, as POV-Ray does, and maps the finished picture;
@@ -27,4 +27,4 @@ private:
   double gamma_ = 1;
 };
 
-} // namespace abbe::render
+} // namespace abbe::plan

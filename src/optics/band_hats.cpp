@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "optics/dispersion.hpp"
+#include "optics/band_hats.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace abbe::optics {
-
-double jitter_offset(StochasticDispersion const& mode, double u) {
-  double const half = 0.5 * mode.width_bands;
-  if (mode.jitter == StochasticDispersion::Jitter::Uniform) return half * (2 * u - 1);
-  // Inverse of the cumulative of 1 - |x| on [-1, 1].
-  double const t = u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u));
-  return half * t;
-}
 
 BandHats::BandHats(Bands const& bands)
     : edges_(bands.edges().begin(), bands.edges().end()),
@@ -32,8 +24,12 @@ double BandHats::jittered(int i, double xi) const {
   if (std::abs(xi) <= 0.5)
     return std::clamp(centers_[own] + xi * (edges_[own + 1] - edges_[own]), edges_[own],
                       edges_[own + 1]);
+  return at(i + 0.5 + xi);
+}
+
+double BandHats::at(double position) const {
   double const n = static_cast<double>(centers_.size());
-  double b = std::fmod(i + 0.5 + xi, 2 * n);
+  double b = std::fmod(position, 2 * n);
   if (b < 0) b += 2 * n;
   if (b > n) b = 2 * n - b;
   std::size_t const k = std::min(static_cast<std::size_t>(b), centers_.size() - 1);
@@ -63,13 +59,6 @@ double BandHats::gather(double lambda_nm, std::vector<double> const& values) con
   Spread const s = spread(lambda_nm);
   std::size_t const k = static_cast<std::size_t>(s.lower);
   return s.a > 0 ? values[k] * (1 - s.a) + values[k + 1] * s.a : values[k];
-}
-
-std::vector<double> BandHats::realised_weights(double xi) const {
-  std::vector<double> weights(centers_.size(), 0.0);
-  for (int i = 0; i < static_cast<int>(centers_.size()); ++i)
-    scatter(i, jittered(i, xi), 1, weights);
-  return weights;
 }
 
 } // namespace abbe::optics

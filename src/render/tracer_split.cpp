@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "optics/refract.hpp"
+#include "render/shader.hpp"
+
+#include <algorithm>
+
+/// How the rays of a split go on, one way a dispersion mode.
+namespace abbe::render {
+namespace {
+
+/// What a surface passes and mirrors, for the teeth of a comb.
+LaneSurface for_teeth(LaneSurface const& surface, Beam const& beam, Beam const& teeth,
+                      Arena& arena) {
+  auto const m = static_cast<std::size_t>(teeth.lanes);
+  LaneSurface out = surface;
+  out.passed = arena.take<double>(m);
+  out.mirrored = arena.take<double>(m);
+  for (std::size_t i = 0; i < m; ++i) {
+    int const k = std::clamp(teeth.channel[i] - beam.channel[0], 0, beam.lanes - 1);
+    out.passed[i] = surface.passed[k];
+    out.mirrored[i] = surface.mirrored[k];
+  }
+  return out;
+}
+
+} // namespace
+
+Beam Tracer::unlit(Beam const& beam) {
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* slot = arena_.take<std::uint32_t>(n);
+  std::fill_n(slot, n, film_.unused_slot());
+  Beam out = beam;
+  out.slot = slot;
+  return out;
+}
+
+Beam Tracer::combed(Beam const& beam, int comb) {
+  auto const channels = waves_.channels(waves_.first_draw(comb));
+  Beam out = beam;
+  out.comb = comb;
+  out.lanes = static_cast<int>(channels.size());
+  out.channel = channels.data();
+  out.tooth = all_teeth_.data();
+  out.throughput = arena_.take<double>(channels.size());
+  auto* slot = arena_.take<std::uint32_t>(channels.size());
+  bool const apart = film_.has_control(comb);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    // Part of a polychromatic beam has the lanes of neighbouring channels.
+    int const k = channels[i] - beam.channel[0];
+    out.throughput[i] = k >= 0 && k < beam.lanes ? beam.throughput[k] : 0;
+    slot[i] = apart ? film_.tooth_slot(comb, static_cast<int>(i)) : static_cast<std::uint32_t>(i);
+  }
+  out.slot = slot;
+  return out;
+}
+
+Beam Tracer::doubled(Beam const& beam, int comb) {
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* channel = arena_.take<std::uint16_t>(2 * n);
+  auto* slot = arena_.take<std::uint32_t>(2 * n);
+  Beam out = beam;
+  out.comb = comb;
+  out.lanes = 2 * beam.lanes;
+  out.locked = false;
+  out.throughput = arena_.take<double>(2 * n);
+  auto const spreads = waves_.spreads(waves_.first_draw(comb));
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const& spread = spreads[beam.channel[k]];
+    channel[2 * k] = static_cast<std::uint16_t>(spread.first);
+    channel[2 * k + 1] = static_cast<std::uint16_t>(spread.second);
+    slot[2 * k] = film_.doubled_slot(comb, beam.channel[k], false);
+    slot[2 * k + 1] = film_.doubled_slot(comb, beam.channel[k], true);
+    out.throughput[2 * k] = beam.throughput[k] * spread.first_weight;
+    out.throughput[2 * k + 1] = beam.throughput[k] * spread.second_weight;
+  }
+  out.channel = channel;
+  out.tooth = channel; // the second draw has a wavelength a band
+  out.slot = slot;
+  return out;
+}
+
+std::uint32_t const* Tracer::picked_control_slots(Beam const& control) {
+  auto const n = static_cast<std::size_t>(control.lanes);
+  auto* slot = arena_.take<std::uint32_t>(n);
+  for (std::size_t k = 0; k < n; ++k)
+    slot[k] = stage_.spectral->is_line(control.channel[k])
+                  ? control.slot[k]
+                  : film_.picked_control_slot(control.comb, control.channel[k]);
+  return slot;
+}
+
+void Tracer::meet_comb(PathRay const& ray, Beam const& beam, Frame& frame,
+                       LaneInterface const& face, InsideNode const* after) {
+  Arena::Scope const scope(arena_);
+  Beam control = beam;
+  control.control = true;
+  control.comb = face.comb;
+  LaneInterface flat = face;
+  find_interface(control, ray.line.direction, flat);
+  // The surface's own light is added here, once.
+  LaneSurface const surface = shade(ray, control, frame, flat, after);
+
+  Beam teeth = beam;
+  LaneInterface own = face;
+  LaneSurface passing = surface;
+  if (!face.doubles) {
+    teeth = combed(beam, face.comb);
+    find_interface(teeth, ray.line.direction, own);
+    passing = for_teeth(surface, beam, teeth, arena_);
+  }
+  // It may mirror by its Fresnel reflectance.
+  if (surface.explicit_reflection) passing = shade(ray, unlit(teeth), frame, own, after);
+  reflect(ray, teeth, frame, own, passing);
+  transmit(ray, teeth, frame, own, passing, after);
+
+  if (!film_.has_control(face.comb)) return;
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* slot = arena_.take<std::uint32_t>(n);
+  for (std::size_t k = 0; k < n; ++k) slot[k] = film_.control_slot(face.comb, beam.channel[k]);
+  control.slot = slot;
+  reflect(ray, control, frame, flat, surface);
+  transmit(ray, control, frame, flat, surface, after);
+}
+
+void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
+                   InsideNode const* after) {
+  if (!beam.monochromatic()) ++counts_.splits;
+  if (face.doubles) return split_doubled(ray, beam, frame, face, after);
+  if (face.picks) return split_picked(ray, beam, frame, face, after);
+  if (face.comb == no_comb
+      && stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px > 0)
+    return split_adaptively(ray, beam, frame, face, after);
+  Arena::Scope const scope(arena_);
+  Beam apart = beam;
+  apart.wave = face.split_wave;
+  apart.locked = true;
+  constexpr int width = geometry::fan_width;
+  auto* lines = arena_.take<geometry::FanLines>(1);
+  for (int first = 0; first < beam.lanes; first += width) {
+    Beam const some = apart.from(first, std::min(width, beam.lanes - first));
+    for (int k = 0; k < some.lanes; ++k) {
+      auto const at = static_cast<std::size_t>(k);
+      lines->origin.set(at, frame.hit.point);
+      lines->origin_error.set(at, frame.hit.point_error);
+      lines->direction.set(
+          at, optics::refracted(face.per_lane[first + k], ray.line.direction, face.normal));
+    }
+    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, some,
+                counts_.monochromatic);
+  }
+}
+
+void Tracer::split_doubled(PathRay const& ray, Beam const& beam, Frame& frame,
+                           LaneInterface const& face, InsideNode const* after) {
+  bool const first = beam.comb == no_comb;
+  for (int k = 0; k < beam.lanes; ++k) {
+    Beam lane = beam.lane(k);
+    if (!(lane.throughput[0] > stage_.adc_bailout)) {
+      cut(lane, 1);
+      continue;
+    }
+    Arena::Scope const scope(arena_);
+    lane.wave = face.split_wave;
+    lane.locked = true;
+    if (first) lane = doubled(lane, face.comb);
+    PathRay const next{{frame.hit.point,
+                        optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
+                        frame.hit.point_error},
+                       &frame.through,
+                       after,
+                       ray.level + 1,
+                       ray.mask};
+    ++counts_.monochromatic;
+    trace(next, lane);
+  }
+}
+
+void Tracer::split_picked(PathRay const& ray, Beam const& beam, Frame& frame,
+                          LaneInterface const& face, InsideNode const* after) {
+  Arena::Scope const scope(arena_);
+  WaveTables::Pick const pick = waves_.pick(face.comb);
+  auto const follow = [&](int k, double weight, std::uint32_t slot) {
+    ABBE_ASSERT(beam.tooth[k] == k);
+    Beam lane = beam.lane(k);
+    double throughput = lane.throughput[0] * weight;
+    lane.throughput = &throughput;
+    lane.slot = &slot;
+    lane.wave = face.split_wave;
+    lane.locked = true;
+    if (!(throughput > stage_.adc_bailout)) return cut(lane, 1);
+    ++counts_.monochromatic;
+    trace({{frame.hit.point, optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
+            frame.hit.point_error},
+           &frame.through,
+           after,
+           ray.level + 1,
+           ray.mask},
+          lane);
+  };
+  follow(pick.tooth, pick.weight, film_.picked_slot(face.comb, pick.tooth));
+  // Emission lines are few, and each is all there is of its light.
+  for (int k = waves_.drawn_teeth(face.comb); k < beam.lanes; ++k) follow(k, 1, beam.slot[k]);
+}
+
+/// The rays of one adaptive split: lanes at the ends of a range go alone, and when their routes
+/// agree those between go together, on the route of the middle one.
+struct Tracer::AdaptiveSplit {
+  Tracer& tracer;
+  PathRay const& ray;
+  Beam const& beam;
+  Frame& frame;
+  LaneInterface const& face;
+  InsideNode const* after;
+  double tolerance_px;
+
+  PathRay towards(int k) const {
+    return {{frame.hit.point, optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
+             frame.hit.point_error},
+            &frame.through,
+            after,
+            ray.level + 1,
+            ray.mask};
+  }
+
+  Beam locked(int first, int count, int middle) const {
+    Beam out = beam.from(first, count);
+    out.wave = face.split_wave;
+    out.wave_tooth = beam.tooth[middle];
+    out.locked = true;
+    return out;
+  }
+
+  Route& alone(int k, std::size_t number) {
+    while (tracer.routes_.size() <= number) tracer.routes_.emplace_back();
+    Route& route = tracer.routes_[number];
+    // What is dimmer than this share of the lane's light may go elsewhere.
+    constexpr double least_share = 1.0 / 32;
+    route.start(beam.throughput[k] * least_share);
+    Tracer::Watch const watch(tracer, route);
+    ++tracer.counts_.monochromatic;
+    tracer.trace(towards(k), locked(k, 1, k));
+    return route;
+  }
+
+  void between(int first, Route const& from, int last, Route const& to, std::size_t number) {
+    if (last - first < 2) return;
+    int const middle = first + (last - first) / 2;
+    if (from.agrees(to, tracer.footprint_, tolerance_px, !tracer.stage_.sky_pigments.empty())) {
+      ++tracer.counts_.monochromatic;
+      return tracer.trace(towards(middle), locked(first + 1, last - first - 1, middle));
+    }
+    Route const& here = alone(middle, number);
+    between(first, from, middle, here, number + 1);
+    between(middle, here, last, to, number + 1);
+  }
+};
+
+void Tracer::split_adaptively(PathRay const& ray, Beam const& beam, Frame& frame,
+                              LaneInterface const& face, InsideNode const* after) {
+  AdaptiveSplit split{*this,
+                      ray,
+                      beam,
+                      frame,
+                      face,
+                      after,
+                      stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px};
+  auto const carries = [&](int k) { return beam.throughput[k] > stage_.adc_bailout; };
+  for (int first = 0; first < beam.lanes;) {
+    if (!carries(first)) {
+      cut(beam.lane(first), 1);
+      ++first;
+      continue;
+    }
+    // Wavelengths rise within a range: lines come after the bands.
+    int last = first;
+    while (last + 1 < beam.lanes && carries(last + 1)
+           && stage_.lambda_nm(beam.channel[last]) < stage_.lambda_nm(beam.channel[last + 1]))
+      ++last;
+    Route const& from = split.alone(first, 0);
+    if (last > first) split.between(first, from, last, split.alone(last, 1), 2);
+    first = last + 1;
+  }
+}
+
+} // namespace abbe::render
