@@ -29,7 +29,7 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
 Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t index) {
   Sampled out;
   SampleKey const key{pixel, index, static_cast<std::int64_t>(std::floor(x)),
-                      static_cast<std::int64_t>(std::floor(y))};
+                      static_cast<std::int64_t>(std::floor(y)), frame_key_};
   if (options_.spectral_output) out.bands.resize(stage_.film_bands());
   auto const ray = camera_ray(stage_.camera, x, y, options_.width, options_.height);
   out.rgb = tracer_.sample(ray, key, out.bands);

@@ -36,7 +36,12 @@ double SampleKey::independent(std::uint64_t dimension) const {
 }
 
 double SampleKey::blue() const {
-  return fraction(blue_noise(x, y) + static_cast<double>(number) * steps[0]);
+  // Another seed, another part of the mask, and another start.
+  auto const shift = [&](std::uint64_t d) {
+    return static_cast<std::int64_t>(64 * picture.uniform(d));
+  };
+  return fraction(blue_noise(x + shift(0), y + shift(1)) + picture.uniform(2)
+                  + static_cast<double>(number) * steps[0]);
 }
 
 WaveTables::WaveTables(Stage const& stage) : stage_(stage), tables_(2 * stage.combs.size()) {
@@ -96,7 +101,9 @@ void WaveTables::draw(int wave, Table& out) const {
   out.channels.clear();
   for (int i = 0; i < m; ++i) {
     double const xi = offset(wave, i);
-    bool const own_band = m == bands.count() && std::abs(xi) <= 0.5;
+    // The light of a triangle's tooth is its band's, wherever it lies.
+    bool const own_band =
+        comb_of(wave).jitter == Jitter::Triangular || (m == bands.count() && std::abs(xi) <= 0.5);
     double const lambda_nm =
         m == bands.count() ? hats_->jittered(i, xi) : hats_->at((i + 0.5 + xi) * bands.count() / m);
     out.lambdas_nm.push_back(lambda_nm);

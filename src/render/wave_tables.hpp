@@ -17,6 +17,7 @@ struct SampleKey {
   RandomKey pixel;
   std::uint64_t number = 0;
   std::int64_t x = 0, y = 0; ///< of the pixel
+  RandomKey picture{};       ///< of all pixels
   double uniform(std::uint64_t dimension) const;
   /// Of this sample alone, not spread.
   double independent(std::uint64_t dimension) const;

@@ -112,7 +112,7 @@ TEST(BandHats, ScatterIsUnbiased) {
 }
 
 TEST(JitterOffset, HasTheStatedDistribution) {
-  StochasticDispersion const hat{Jitter::Triangular, 2, false};
+  Comb const hat{0, Jitter::Triangular, 2};
   EXPECT_DOUBLE_EQ(jitter_offset(hat, 0), -1);
   EXPECT_DOUBLE_EQ(jitter_offset(hat, 0.5), 0);
   EXPECT_DOUBLE_EQ(jitter_offset(hat, 0.125), -0.5); // the cdf of 1 - |x| at -1/2 is 1/8
