@@ -73,10 +73,10 @@ public:
   Result<Choice> choose() {
     auto const plan = plan::make_plan(scene_, overrides_);
     if (!plan) return plan.error();
-    spectral_ = plan->bands.has_value();
+    spectral_ = plan->spectral.has_value();
     disperses_ =
         plan->has(plan::Effect::Dispersion) || plan->has(plan::Effect::StochasticDispersion);
-    given_bands_ = plan->bands ? plan->bands->count() : 0;
+    given_bands_ = plan->spectral ? plan->spectral->count() : 0;
     make_reference();
     std::vector<std::string> modes{""};
     if (disperses_ && !overrides_.dispersion) modes = {"none", "stochastic", "deterministic"};

@@ -30,10 +30,10 @@ scene::Scene bars_behind(optics::GlassPtr glass, scene::DispersionMode const& mo
     return layers;
   };
   auto const wall = geometry::make_plane({0, 0, -1}, -40);
-  scene.objects.push_back(object(wall->shape, wall->placement, glowing({.9, .8, .5})));
+  scene.objects.push_back(object(wall->shape, wall->placement, glowing(Vec3(.9))));
   for (int i = -8; i < 24; ++i) {
     auto const bar = geometry::make_box({3.0 * i, -40, 39}, {3.0 * i + 1.5, 40, 39.5});
-    scene.objects.push_back(object(bar->shape, bar->placement, glowing({.1, .2, .4})));
+    scene.objects.push_back(object(bar->shape, bar->placement, glowing(Vec3(.2))));
   }
   scene.settings.spectral.requested = true;
   scene.settings.spectral.bands = bands;
