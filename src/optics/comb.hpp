@@ -32,9 +32,7 @@ struct Comb {
 
   /// Is the light of its wavelengths kept apart, with a control light (SampleFilm)? A triangle
   /// needs none: its light is the band's, whole.
-  bool has_control() const {
-    return follow == Follow::Doubled || jitter != Jitter::Triangular;
-  }
+  bool has_control() const { return follow == Follow::Doubled || jitter != Jitter::Triangular; }
   bool picks_one() const { return follow == Follow::Hero || follow == Follow::Importance; }
   bool operator==(Comb const&) const = default;
 };

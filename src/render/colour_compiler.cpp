@@ -5,6 +5,7 @@
 #include "optics/uplift.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abbe::render {
 bool is_black(Channels const& channels) {
@@ -28,6 +29,9 @@ Channels ColourCompiler::from_bands(std::vector<double> const& values, Role role
 Channels ColourCompiler::uplifted(Vec3 const& written, Role role) {
   if (!spectral_) return {written.x, written.y, written.z};
   Vec3 const rgb = space_.to_linear(written);
+  // What is not a number is no key, and is to be seen in the picture.
+  if (std::isnan(rgb.x + rgb.y + rgb.z))
+    return Channels(static_cast<std::size_t>(channels()), rgb.x + rgb.y + rgb.z);
   auto const [place, fresh] = known_.try_emplace({rgb.x, rgb.y, rgb.z});
   if (fresh) place->second = optics::uplift(rgb, spectral_->bands);
   return from_bands(place->second, role);

@@ -387,7 +387,7 @@ std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan c
   std::vector<RenderResult> results;
   for (auto const& region : regions) {
     options.region = region;
-    results.push_back(Frame(stage, options, WorkingSpace(scene.settings)).run());
+    results.push_back(Frame(stage, options, plan::WorkingSpace(scene.settings)).run());
   }
   return results;
 }

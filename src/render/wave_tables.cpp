@@ -191,7 +191,8 @@ std::span<WaveTables::Spread const> WaveTables::spreads(int wave) {
   if (t.spreads_known) return t.spreads;
   t.spreads_known = true;
   int const count = stage_.bands().count(), m = drawn_teeth(wave % comb_count());
-  std::vector<double> received(static_cast<std::size_t>(count), 0.0);
+  auto& received = received_;
+  received.assign(static_cast<std::size_t>(count), 0.0);
   t.spreads.clear();
   for (int i = 0; i < m; ++i) {
     double const lambda_nm = t.lambdas_nm[static_cast<std::size_t>(i)];

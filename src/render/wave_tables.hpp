@@ -95,6 +95,7 @@ private:
   std::optional<optics::BandHats> hats_;
   SampleKey key_;
   std::vector<Table> tables_;
+  std::vector<double> received_; ///< scratch of spreads(), by band
 };
 
 } // namespace abbe::render
