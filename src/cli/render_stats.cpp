@@ -55,8 +55,8 @@ image::Status write_stats(std::string const& path, RenderStats const& stats, pla
         {"refracted", rays.refracted},
         {"monochromatic", rays.monochromatic},
         {"shadow", rays.shadow},
-        {"splits", rays.splits},
         {"total", rays.total()}}},
+      {"splits", rays.splits},
       {"fan_out", rays.splits == 0 ? 0 : double(rays.monochromatic) / double(rays.splits)},
       {"missing_mean", result.missing_mean},
   };
