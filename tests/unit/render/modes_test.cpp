@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/shapes/box.hpp"
-#include "geometry/shapes/plane.hpp"
-#include "scenes.hpp"
+#include "wedge.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,43 +9,11 @@ namespace {
 
 using optics::Comb;
 
-/// A wedge of glass before glowing bars, in the light of day.
+/// The wedge in grey, with paths that end late.
 scene::Scene bars_behind(optics::GlassPtr glass, scene::DispersionMode const& mode, int bands) {
-  scene::Scene scene;
-  scene::Object prism;
-  prism.kind = scene::Object::Kind::Intersection;
-  double const tilt = 0.45;
-  auto const front = geometry::make_plane({0, 0, -1}, -4);
-  auto const back = geometry::make_plane({std::sin(tilt), 0, std::cos(tilt)}, 5);
-  auto const rim = geometry::make_box({-1.3, -1, 3}, {1.3, 1, 8});
-  for (auto const& placed : {*front, *back, *rim})
-    prism.children.push_back(object(placed.shape, placed.placement, clear()));
-  scene.objects.push_back(with_glass(std::move(prism), std::move(glass), mode));
-  auto const glowing = [](Vec3 const& value) {
-    auto layers = plain(value);
-    layers[0].finish.ambient.rgb = Vec3(1);
-    layers[0].finish.diffuse = 0;
-    return layers;
-  };
-  auto const wall = geometry::make_plane({0, 0, -1}, -40);
-  scene.objects.push_back(object(wall->shape, wall->placement, glowing(Vec3(.9))));
-  for (int i = -8; i < 24; ++i) {
-    auto const bar = geometry::make_box({3.0 * i, -40, 39}, {3.0 * i + 1.5, 40, 39.5});
-    scene.objects.push_back(object(bar->shape, bar->placement, glowing(Vec3(.2))));
-  }
-  scene.settings.spectral.requested = true;
-  scene.settings.spectral.bands = bands;
-  scene.settings.max_trace_level = 4;
+  auto scene = wedge(std::move(glass), mode, bands, Vec3(.9), Vec3(.2));
   scene.settings.adc_bailout = 1e-4;
-  scene.camera.direction = {0, 0, 1.6};
   return scene;
-}
-
-RenderOptions small() {
-  RenderOptions options;
-  options.width = 20;
-  options.height = 15;
-  return options;
 }
 
 struct Scheme {
