@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_stats.hpp"
 
+#include "base/cpu_time.hpp"
 #include "image/atomic_file.hpp"
 #include "image/io.hpp"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace abbe::cli {
 namespace {
@@ -15,25 +15,16 @@ double wall_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double cpu_now() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  auto const seconds = [](timeval const& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 } // namespace
 
-Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(cpu_now()) {}
+Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(process_cpu_s()) {}
 
 double Stopwatch::wall_s() const {
   return wall_now() - wall_;
 }
 
 double Stopwatch::cpu_s() const {
-  return cpu_now() - cpu_;
+  return process_cpu_s() - cpu_;
 }
 
 image::Status write_stats(std::string const& path, RenderStats const& stats, plan::Plan const& plan,

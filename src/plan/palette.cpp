@@ -102,13 +102,12 @@ Palette find_palette(scene::Scene const& scene, optics::Bands const& grid) {
 }
 
 std::vector<std::vector<double>> Palette::products() const {
-  constexpr std::size_t most_pairs = 24; // of colours, so that pairs stay in the hundreds
   std::vector<std::vector<double>> out;
   for (auto const& light : lights) {
     out.push_back(light);
     for (std::size_t i = 0; i < colours.size(); ++i) {
       out.push_back(product(light, colours[i]));
-      if (i >= most_pairs) continue;
+      if (i >= palette_pair_limit) continue;
       auto const once = out.back();
       for (std::size_t j = 0; j <= i; ++j) out.push_back(product(once, colours[j]));
     }

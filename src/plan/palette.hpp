@@ -20,6 +20,10 @@ struct Palette {
 /// Colours beyond this number are left out: the first ones found count.
 inline constexpr std::size_t palette_limit = 96;
 
+/// Light that fell on two colours is looked at for this many of them, so that pairs stay in the
+/// hundreds.
+inline constexpr std::size_t palette_pair_limit = 24;
+
 /// A flat light is always among them: rgb colours are multiples of white.
 Palette find_palette(scene::Scene const& scene, optics::Bands const& grid);
 

@@ -115,7 +115,7 @@ private:
       look({&light});
       for (std::size_t i = 0; i < palette_.colours.size(); ++i) {
         look({&light, &palette_.colours[i]});
-        if (i < 24) look({&light, &palette_.colours[i], &palette_.colours[i]});
+        if (i < palette_pair_limit) look({&light, &palette_.colours[i], &palette_.colours[i]});
       }
     }
     return worst;

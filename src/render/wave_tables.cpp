@@ -69,25 +69,19 @@ int WaveTables::teeth(int comb) const {
   return drawn_teeth(comb) + stage_.channels - stage_.bands().count();
 }
 
+double WaveTables::common_number(optics::Comb const& comb, std::uint64_t dimension) const {
+  if (comb.jitter == Jitter::Uniform) return key_.independent(dimension);
+  if (comb.jitter == Jitter::BlueNoise && dimension == first_offset) return key_.blue();
+  return key_.uniform(dimension);
+}
+
 double WaveTables::offset(int wave, int tooth) const {
   optics::Comb const& comb = comb_of(wave);
   auto const dimension = wave >= comb_count() ? second_offset : first_offset;
-  double u = 0;
-  switch (comb.jitter) {
-  case Jitter::LowDiscrepancy:
-  case Jitter::Triangular:
-    u = key_.uniform(dimension);
-    break;
-  case Jitter::Uniform:
-    u = key_.independent(dimension);
-    break;
-  case Jitter::Stratified:
-    u = key_.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension);
-    break;
-  case Jitter::BlueNoise:
-    u = dimension == first_offset ? key_.blue() : key_.uniform(dimension);
-    break;
-  }
+  double u =
+      comb.jitter == Jitter::Stratified
+          ? key_.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension)
+          : common_number(comb, dimension);
   // One number draws the hero and the offset of the whole comb: the hero's own wavelength then
   // takes even steps over the whole range.
   if (comb.follow == optics::Comb::Follow::Hero) u = fraction(u * drawn_teeth(wave % comb_count()));
@@ -155,9 +149,7 @@ WaveTables::Pick WaveTables::pick(int comb) {
   int const m = drawn_teeth(comb);
   optics::Comb const& settings = stage_.combs[static_cast<std::size_t>(comb)];
   if (settings.follow == optics::Comb::Follow::Hero) {
-    double const u = settings.jitter == Jitter::BlueNoise ? key_.blue()
-                     : settings.jitter == Jitter::Uniform ? key_.independent(first_offset)
-                                                          : key_.uniform(first_offset);
+    double const u = common_number(settings, first_offset);
     return t.pick = {std::min(static_cast<int>(u * m), m - 1), double(m)};
   }
   // A tenth of the probability for all alike: what the eye sees badly must not come with weights

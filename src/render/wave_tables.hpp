@@ -86,6 +86,8 @@ private:
   /// With the wavelengths drawn.
   Table& drawn(int wave);
   void draw(int wave, Table& out) const;
+  /// The random number that all teeth of a comb share.
+  double common_number(optics::Comb const& comb, std::uint64_t dimension) const;
   /// Offset of a tooth from the middle of its stratum, in strata.
   double offset(int wave, int tooth) const;
   /// Width of a tooth's stratum at its wavelength, nm.

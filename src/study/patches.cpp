@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "study/patches.hpp"
 
+#include "base/cpu_time.hpp"
 #include "base/random.hpp"
 #include "image/colour.hpp"
 #include "image/tone_map.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sys/resource.h>
 
 namespace abbe::study {
 namespace {
 
 constexpr int side = 8;
 constexpr int count = 128;
-
-double cpu_now() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  auto const seconds = [](timeval const& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 Vec3 lab_of(Vec3 rgb) {
   return image::xyz_to_lab(
@@ -61,7 +52,7 @@ Patches spread_patches(int width, int height) {
 Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
                      render::RenderOptions const& options, Patches const& patches) {
   Probe probe;
-  double const begin = cpu_now();
+  double const begin = process_cpu_s();
   // A pixel more on each side: method 1 compares with neighbours.
   int const margin = options.anti_aliasing.method == 1 ? 1 : 0;
   std::vector<render::Region> wide;
@@ -84,7 +75,7 @@ Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
             static_cast<std::size_t>((y - wide[i].y0) * picture.width + (x - wide[i].x0))));
   }
   // Of the patches without their margins.
-  probe.cpu_s = (cpu_now() - begin) * patches.pixels / std::max(1.0, made);
+  probe.cpu_s = (process_cpu_s() - begin) * patches.pixels / std::max(1.0, made);
   probe.rays = static_cast<std::uint64_t>(static_cast<double>(probe.rays) * patches.pixels
                                           / std::max(1.0, made));
   return probe;
