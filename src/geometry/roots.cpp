@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/roots.hpp"
 
+#include "geometry/bernstein.hpp"
 #include "geometry/shapes/bracket.hpp"
 
 #include <algorithm>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -12,93 +14,7 @@ namespace abbe::geometry {
 namespace {
 
 constexpr int most_halvings = 56;
-
-/// Bernstein coefficients over [low, low + width], their error, and the signs at the ends.
-template <class N>
-struct Piece {
-  double low, width, error;
-  int first, last;
-  std::array<N, largest_degree + 1> b;
-};
-
-/// b_j = sum C(j, i) / C(n, i) c_i: all weights within [0, 1].
-template <class N>
-void to_bernstein(Polynomial<N> const& f, Piece<N>& piece) {
-  int const n = f.degree;
-  double binomial = 1, size = 0;
-  for (int i = 0; i <= n; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    size += std::fabs(rounded(f.c[k]));
-    double const inverse = 1 / binomial; // binomials up to C(35, 17) are exact
-    if constexpr (std::is_same_v<N, double>) {
-      piece.b[k] = f.c[k] * inverse;
-    } else {
-      // With twice the digits: one step of Newton.
-      N const rest = N(1.0) - N(inverse) * N(binomial);
-      piece.b[k] = f.c[k] * (N(inverse) + N(inverse) * rest);
-    }
-    binomial = std::round(binomial * (n - i) / (i + 1));
-  }
-  for (int i = 1; i <= n; ++i) {
-    for (int j = n; j >= i; --j) {
-      auto const k = static_cast<std::size_t>(j);
-      piece.b[k] = piece.b[k] + piece.b[k - 1];
-    }
-  }
-  piece.error = f.error + 2 * (n + 3) * roundoff<N> * size;
-}
-
-/// Parts `whole` at `share` of its width.
-template <class N>
-void part(Piece<N> const& whole, int n, double share, Piece<N>& left, Piece<N>& right) {
-  double size = 0;
-  for (int i = 0; i <= n; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    size = std::max(size, std::fabs(rounded(whole.b[k])));
-    right.b[k] = whole.b[k];
-  }
-  N const by(share);
-  for (int i = 0; i <= n; ++i) {
-    left.b[static_cast<std::size_t>(i)] = right.b[0];
-    for (int j = 0; j < n - i; ++j) {
-      auto const k = static_cast<std::size_t>(j);
-      right.b[k] = share == 0.5 ? N(0.5) * (right.b[k] + right.b[k + 1])
-                                : right.b[k] + by * (right.b[k + 1] - right.b[k]);
-    }
-  }
-  double const error = whole.error + 4 * (n + 1) * roundoff<N> * size;
-  double const middle = whole.low + share * whole.width;
-  left.low = whole.low;
-  left.width = middle - whole.low;
-  left.first = whole.first;
-  right.low = middle;
-  right.width = whole.low + whole.width - middle;
-  right.last = whole.last;
-  left.error = right.error = error;
-}
-
-struct Changes {
-  int count = 0;
-  bool certain = true; ///< whatever the signs of the coefficients within the error
-};
-template <class N>
-Changes changes(Piece<N> const& piece, int n) {
-  Changes result;
-  int last = piece.first, open = 0;
-  for (int i = 1; i <= n; ++i) {
-    double const b = rounded(piece.b[static_cast<std::size_t>(i)]);
-    int const sign = i == n ? piece.last : (b > piece.error ? 1 : (b < -piece.error ? -1 : 0));
-    if (sign == 0) {
-      ++open;
-      continue;
-    }
-    result.count += sign != last;
-    result.certain = result.certain && (open == 0 || (open == 1 && sign != last));
-    open = 0;
-    last = sign;
-  }
-  return result;
-}
+constexpr int most_renewals = 25; // 2^-50 each
 
 template <class N>
 PolynomialRoot refined(Polynomial<N> const& f, Piece<N> const& piece) {
@@ -120,8 +36,8 @@ PolynomialRoot refined(Polynomial<N> const& f, Piece<N> const& piece) {
   };
   PolynomialRoot root;
   root.rising = piece.first < 0;
-  double const high = piece.low + piece.width;
-  root.at = bracketed_root(value, piece.low, high, root.rising);
+  root.at =
+      bracketed_root(value, rounded(piece.low), rounded(piece.low + N(piece.width)), root.rising);
   double size = 0;
   for (int i = f.degree; i >= 0; --i)
     size = size * std::fabs(root.at) + std::fabs(rounded(f.c[static_cast<std::size_t>(i)]));
@@ -134,9 +50,118 @@ PolynomialRoot refined(Polynomial<N> const& f, Piece<N> const& piece) {
   return root;
 }
 
+/// A piece [low, low + width] of what the search began with, and how to make its polynomial anew.
 template <class N>
-bool isolate(Polynomial<N> const& f, int first, int last, PolynomialRoots& roots) {
-  constexpr bool last_word = !std::is_same_v<N, double>;
+struct Place {
+  Polynomial<N> const& whole;
+  PieceMaker const* make = nullptr; ///< else `whole` is shifted
+  double turn = 1;                  ///< -1: `whole` is the mirror image of what `make` knows
+  bool inverse = false;             ///< `whole` is of 1 / s; roots come as s, descending
+  N low = N(0.0);
+  double width = 1;
+  int renewals = 0;
+
+  N at(N const& s) const { return renewals == 0 ? s : low + N(width) * s; }
+};
+
+/// The one root in a piece, as the search's caller counts.
+template <class N>
+PolynomialRoot only_root(Polynomial<N> const& f, Place<N> const& place, Piece<N> const& piece) {
+  PolynomialRoot root = refined(f, piece);
+  if (place.renewals > 0) {
+    root.at = rounded(place.at(N(root.at)));
+    root.error = place.width * root.error + 2 * unit_roundoff * std::fabs(root.at);
+    root.slope /= place.width;
+    root.bend /= place.width * place.width;
+  }
+  if (!place.inverse) return root;
+  double const w = root.at;
+  root.at = 1 / w;
+  root.error = root.error / w / w + unit_roundoff * std::fabs(root.at);
+  root.rising = !root.rising;
+  root.slope = root.bend = 0;
+  for (int k = place.whole.degree; k >= 1; --k) {
+    double const c = rounded(place.whole.c[static_cast<std::size_t>(place.whole.degree - k)]);
+    root.slope = root.slope * root.at + k * c;
+    if (k >= 2) root.bend = root.bend * root.at + k * (k - 1) * c;
+  }
+  return root;
+}
+
+/// f(low + width s), by Horner's scheme. Its terms are at most those of the sum of |c_i| high^i.
+template <class N>
+Polynomial<N> shifted(Polynomial<N> f, N const& low, double width, double size) {
+  int const n = f.degree;
+  for (int i = 0; i < n; ++i) {
+    for (int j = n; j-- > i;) {
+      auto const k = static_cast<std::size_t>(j);
+      f.c[k] = f.c[k] + low * f.c[k + 1];
+    }
+  }
+  N power(1.0);
+  for (int i = 1; i <= n; ++i) {
+    power = power * N(width);
+    f.c[static_cast<std::size_t>(i)] = power * f.c[static_cast<std::size_t>(i)];
+  }
+  f.error += 4 * (n + 1) * roundoff<N> * size;
+  return f;
+}
+
+/// The polynomial of a piece made anew, at its own size: halving keeps the error of [0, 1], which
+/// buries what is small. `place` becomes that of the piece.
+/// @param small: as narrow as this search goes, whatever the error
+/// @return false: that would tell no more
+template <class N>
+bool renew(Place<N>& place, Piece<N> const& piece, bool small, Polynomial<N>& out) {
+  if (place.renewals >= most_renewals) return false;
+  N const low = place.at(piece.low);
+  double const width = place.width * piece.width;
+  double size = 0;
+  if (place.make != nullptr) {
+    if constexpr (!std::is_same_v<N, double>)
+      out = (*place.make)(N(place.turn) * low, place.turn * width);
+    for (int i = 0; i <= out.degree; ++i)
+      size += std::fabs(rounded(out.c[static_cast<std::size_t>(i)]));
+  } else {
+    int const n = place.whole.degree;
+    double const high = rounded(low) + width;
+    for (int i = n; i >= 0; --i)
+      size = size * high + std::fabs(rounded(place.whole.c[static_cast<std::size_t>(i)]));
+    double const given = place.whole.error * std::max(1.0, std::pow(high, n));
+    double const error = given + 8 * (n + 1) * roundoff<N> * size;
+    if (!small && !(error < 0.25 * piece.error)) return false;
+    out = shifted(place.whole, low, width, size);
+    out.error += given - place.whole.error;
+  }
+  place.low = low;
+  place.width = width;
+  ++place.renewals;
+  return small || out.error + 2 * (out.degree + 3) * roundoff<N> * size < 0.25 * piece.error;
+}
+
+template <class N>
+bool isolate(Polynomial<N> const& f, Place<N> const& place, int first, int last,
+             PolynomialRoots& roots);
+
+/// What is in a piece whose digits ran out.
+/// @return false: doubles leave it open
+template <class N>
+bool isolate_closer(Polynomial<N> const& f, Place<N> const& place, Piece<N> const& piece,
+                    bool small, PolynomialRoots& roots) {
+  Place<N> closer = place;
+  Polynomial<N> anew;
+  if (!renew(closer, piece, small, anew)) {
+    if (std::is_same_v<N, double>) return false;
+    // Beyond the digits of the coefficients: the fewest roots that the ends allow.
+    if (piece.first != piece.last) roots.add(only_root(f, place, piece));
+    return true;
+  }
+  return isolate(anew, closer, piece.first, piece.last, roots);
+}
+
+template <class N>
+bool isolate(Polynomial<N> const& f, Place<N> const& place, int first, int last,
+             PolynomialRoots& roots) {
   int const n = f.degree;
   if (first == 0 || last == 0) return false;
   if (n == 0) return true;
@@ -145,7 +170,7 @@ bool isolate(Polynomial<N> const& f, int first, int last, PolynomialRoots& roots
   Piece<N> waiting[most_halvings + 4];
   int top = 0;
   to_bernstein(f, waiting[0]);
-  waiting[0].low = 0;
+  waiting[0].low = N(0.0);
   waiting[0].width = 1;
   waiting[0].first = first;
   waiting[0].last = last;
@@ -157,14 +182,17 @@ bool isolate(Polynomial<N> const& f, int first, int last, PolynomialRoots& roots
       continue;
     }
     if (seen.count == 1 && seen.certain) {
-      roots.add(refined(f, piece));
+      roots.add(only_root(f, place, piece));
       --top;
       continue;
     }
     bool parted = false;
+    bool const small = top >= most_halvings || !(piece.width > 0x1p-50);
     Piece<N> left, right;
-    if (top < most_halvings && piece.width > 0x1p-50) {
-      for (double const share : {0.5, 0.4375, 0.625}) {
+    if (!small) {
+      // Doubles have somebody to ask. Many roots in a place leave a wide stretch around it unclear.
+      constexpr double shares[] = {0.5, 0.4375, 0.625, 0.25, 0.75, 0.125, 0.875};
+      for (double const share : std::span(shares, std::is_same_v<N, double> ? 3 : 7)) {
         part(piece, n, share, left, right);
         double const middle = rounded(right.b[0]);
         left.last = right.first = middle > left.error ? 1 : (middle < -left.error ? -1 : 0);
@@ -177,12 +205,10 @@ bool isolate(Polynomial<N> const& f, int first, int last, PolynomialRoots& roots
       waiting[++top] = left;
       continue;
     }
-    if (!last_word) {
+    if (!isolate_closer(f, place, piece, small, roots)) {
       roots.count = before;
       return false;
     }
-    // Beyond the digits of the coefficients: the fewest roots that the ends allow.
-    if (piece.first != piece.last) roots.add(refined(f, piece));
     --top;
   }
   return true;
@@ -202,56 +228,35 @@ Polynomial<N> reversed(Polynomial<N> f) {
   return f;
 }
 
-template <class N>
-bool whole_line(Polynomial<N> f, PolynomialRoots& roots) {
-  constexpr bool last_word = !std::is_same_v<N, double>;
-  auto const leading = [&] { return rounded(f.c[static_cast<std::size_t>(f.degree)]); };
-  while (f.degree > 0 && (leading() == 0 || (last_word && std::fabs(leading()) <= f.error))) {
-    --f.degree;
+PolynomialRoot mirrored(PolynomialRoot root) {
+  root.at = -root.at;
+  root.slope = -root.slope;
+  root.rising = !root.rising;
+  return root;
+}
+
+void take(PolynomialRoots const& part, bool turned, bool mirror, PolynomialRoots& roots) {
+  for (int i = 0; i < part.count; ++i) {
+    PolynomialRoot const& root =
+        part.root[static_cast<std::size_t>(turned ? part.count - 1 - i : i)];
+    if (std::isfinite(root.at)) roots.add(mirror ? mirrored(root) : root); // else the line's end
   }
-  if (f.degree == 0) return true;
-  Polynomial<N> const g = mirrored(f);
-  int const end = sign_of(f.c[static_cast<std::size_t>(f.degree)], f.error);
-  int const zero = sign_of(f.c[0], f.error), one = sign_of(f.at_one(), 2 * f.error),
-            minus_one = sign_of(g.at_one(), 2 * f.error);
-  if (end == 0 || zero == 0 || one == 0 || minus_one == 0) return false;
-  int const begin = f.degree % 2 == 0 ? end : -end;
-  PolynomialRoots part;
-  int const before = roots.count;
-  auto const take = [&](bool mirror, bool reverse, int first, int last) {
-    part.count = 0;
-    Polynomial<N> const& base = mirror ? g : f;
-    if (!isolate(reverse ? reversed(base) : base, first, last, part)) return false;
-    for (int i = 0; i < part.count; ++i) {
-      // Both turn the order round.
-      PolynomialRoot root =
-          part.root[static_cast<std::size_t>(mirror != reverse ? part.count - 1 - i : i)];
-      if (reverse) {
-        double const w = root.at;
-        if (w == 0) continue;
-        root.at = 1 / w;
-        root.error = root.error / w / w + unit_roundoff * std::fabs(root.at);
-        root.rising = !root.rising;
-        root.slope = root.bend = 0;
-        for (int k = base.degree; k >= 1; --k) {
-          double const c = rounded(base.c[static_cast<std::size_t>(k)]);
-          root.slope = root.slope * root.at + k * c;
-          if (k >= 2) root.bend = root.bend * root.at + k * (k - 1) * c;
-        }
-      }
-      if (mirror) {
-        root.at = -root.at;
-        root.slope = -root.slope;
-        root.rising = !root.rising;
-      }
-      roots.add(root);
-    }
-    return true;
+}
+
+/// The least k for which all roots are within 2^k (Fujiwara).
+int exponent_of_roots(Polynomial<Twofold> const& f) {
+  auto const exponent = [&](int i) {
+    double const c = rounded(f.c[static_cast<std::size_t>(i)]);
+    return c == 0 ? -100000 : std::ilogb(c);
   };
-  bool const good = take(true, true, begin, minus_one) && take(true, false, zero, minus_one)
-                    && take(false, false, zero, one) && take(false, true, end, one);
-  if (!good) roots.count = before;
-  return good;
+  int const n = f.degree, top = exponent(n);
+  int most = -1000;
+  for (int i = 1; i <= n; ++i) {
+    int const ratio = exponent(n - i) - top + 1;
+    most = std::max(most, ratio > 0 ? (ratio + i - 1) / i : -(-ratio / i));
+  }
+  int const limit = 900 / n; // of what powers of it can be held
+  return std::clamp(most + 1, -limit, limit);
 }
 
 } // namespace
@@ -265,16 +270,77 @@ double root_uncertainty(double error, double slope, double bend, double third) {
 }
 
 bool unit_roots(Polynomial<double> const& f, int first, int last, PolynomialRoots& roots) {
-  return isolate(f, first, last, roots);
+  return isolate(f, Place<double>{f}, first, last, roots);
 }
 bool unit_roots(Polynomial<Twofold> const& f, int first, int last, PolynomialRoots& roots) {
-  return isolate(f, first, last, roots);
+  return isolate(f, Place<Twofold>{f}, first, last, roots);
 }
-bool line_roots(Polynomial<double> const& f, PolynomialRoots& roots) {
-  return whole_line(f, roots);
+bool line_roots(Polynomial<double> f, PolynomialRoots& roots) {
+  auto const leading = [&] { return f.c[static_cast<std::size_t>(f.degree)]; };
+  while (f.degree > 0 && leading() == 0) --f.degree;
+  if (f.degree == 0) return true;
+  Polynomial<double> const g = mirrored(f);
+  int const end = sign_of(leading(), f.error), zero = sign_of(f.c[0], f.error),
+            one = sign_of(f.at_one(), 2 * f.error), minus_one = sign_of(g.at_one(), 2 * f.error);
+  if (end == 0 || zero == 0 || one == 0 || minus_one == 0) return false;
+  int const begin = f.degree % 2 == 0 ? end : -end;
+  PolynomialRoots part;
+  int const before = roots.count;
+  auto const search = [&](bool mirror, bool inverse, int first, int last) {
+    part.count = 0;
+    Polynomial<double> const whole = inverse ? reversed(mirror ? g : f) : (mirror ? g : f);
+    Place<double> place{whole};
+    place.inverse = inverse;
+    if (!isolate(whole, place, first, last, part)) return false;
+    take(part, mirror != inverse, mirror, roots); // both turn the order round
+    return true;
+  };
+  bool const good = search(true, true, begin, minus_one) && search(true, false, zero, minus_one)
+                    && search(false, false, zero, one) && search(false, true, end, one);
+  if (!good) roots.count = before;
+  return good;
 }
-bool line_roots(Polynomial<Twofold> const& f, PolynomialRoots& roots) {
-  return whole_line(f, roots);
+
+void line_roots(Polynomial<Twofold> f, PieceMaker const& make, PolynomialRoots& roots) {
+  constexpr int far = 20; // 2^20: there a leading coefficient's error is its own
+  int const full_degree = f.degree;
+  double leading_error = f.error;
+  if (make) {
+    leading_error =
+        std::min(leading_error,
+                 std::ldexp(make(Twofold(0.0), std::ldexp(1.0, far)).error, -far * full_degree));
+  }
+  while (f.degree > 0
+         && !(std::fabs(rounded(f.c[static_cast<std::size_t>(f.degree)])) > leading_error))
+    --f.degree;
+  if (f.degree == 0) return;
+  // In a unit that holds all roots.
+  int const exponent = exponent_of_roots(f);
+  double const unit = std::ldexp(1.0, exponent);
+  Polynomial<Twofold> g = f;
+  if (make) {
+    g = make(Twofold(0.0), unit);
+    g.degree = f.degree;
+  } else {
+    for (int i = 0; i <= f.degree; ++i) {
+      auto const k = static_cast<std::size_t>(i);
+      g.c[k] = Twofold(std::ldexp(1.0, exponent * i)) * f.c[k];
+    }
+    g.error = f.error * std::max(1.0, std::pow(unit, f.degree));
+  }
+  int const zero = sign_of(g.c[0], 0);
+  for (bool const mirror : {true, false}) {
+    Polynomial<Twofold> const whole = mirror ? mirrored(f) : f;
+    Polynomial<Twofold> const near = mirror ? mirrored(g) : g;
+    Place<Twofold> place{whole};
+    place.make = make ? &make : nullptr;
+    place.turn = mirror ? -1 : 1;
+    place.width = unit;
+    place.renewals = 1;
+    PolynomialRoots part;
+    isolate(near, place, zero, sign_of(near.at_one(), 0), part);
+    take(part, mirror, mirror, roots);
+  }
 }
 
 } // namespace abbe::geometry

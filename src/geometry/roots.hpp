@@ -6,15 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 /// All real roots of polynomials whose coefficients carry bounds of their errors (research 3.3).
 ///
 /// Roots are isolated by Descartes' rule of signs on Bernstein coefficients: their signs change at
 /// least as often as the polynomial has roots, by an even excess; 0 and 1 changes are certain, else
 /// the interval is halved (de Casteljau). Each interval keeps the bound of its coefficients'
-/// errors. What doubles leave open is asked again of the same polynomial made in Twofold numbers,
-/// so the count is right down to roots that are closer than the coefficients' own digits tell;
-/// there it is the count of a polynomial within the error bounds.
+/// errors; where that buries a piece's values, its polynomial is made anew at its own size, so
+/// roots may be of any magnitudes. What doubles leave open is asked again of the same polynomial
+/// made in Twofold numbers, so the count is right down to roots that are closer than the
+/// coefficients' own digits tell; there it is the count of a polynomial within the error bounds.
 namespace abbe::geometry {
 
 inline constexpr int largest_degree = 35;
@@ -70,11 +72,17 @@ inline int sign_of(Twofold const& value, double) {
 bool unit_roots(Polynomial<double> const& f, int first, int last, PolynomialRoots& roots);
 bool unit_roots(Polynomial<Twofold> const& f, int first, int last, PolynomialRoots& roots);
 
-/// Appends the roots of the whole line, by way of 1 / s beyond [-1, 1]. Leading coefficients within
-/// the error are taken for zero.
+/// Appends the roots of the whole line, by way of 1 / s beyond [-1, 1].
 /// @return as unit_roots
-bool line_roots(Polynomial<double> const& f, PolynomialRoots& roots);
-bool line_roots(Polynomial<Twofold> const& f, PolynomialRoots& roots);
+bool line_roots(Polynomial<double> f, PolynomialRoots& roots);
+
+/// f(low + width s) with its error for |s| <= 1, from what f itself is made of; width may be
+/// negative.
+using PieceMaker = std::function<Polynomial<Twofold>(Twofold const& low, double width)>;
+
+/// Appends the roots of the whole line. Leading coefficients within the error are taken for zero.
+/// @param make empty: f itself is shifted, and the pieces have its error
+void line_roots(Polynomial<Twofold> f, PieceMaker const& make, PolynomialRoots& roots);
 
 /// The roots in (0, 1) of what `make(N{})` makes with double or Twofold coefficients, ascending.
 template <class Make>

@@ -15,6 +15,7 @@
 namespace abbe::geometry {
 namespace {
 
+using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 using Exact = std::vector<Rational>; // a polynomial, ascending powers
 
@@ -36,10 +37,6 @@ private:
   std::mt19937_64 engine_;
 };
 
-void trim(Exact& p) {
-  while (!p.empty() && p.back() == 0) p.pop_back();
-}
-
 Exact product(Exact const& a, Exact const& b) {
   Exact out(a.size() + b.size() - 1, Rational(0));
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -47,23 +44,39 @@ Exact product(Exact const& a, Exact const& b) {
   return out;
 }
 
-/// Distinct real roots of all t, by Sturm's theorem.
-int distinct_roots(Exact p) {
-  trim(p);
+/// Without the common divisor of its coefficients, which grow fast otherwise.
+void make_primitive(std::vector<Integer>& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+  Integer divisor = 0;
+  for (auto const& c : p) divisor = gcd(divisor, c);
+  if (divisor > 1)
+    for (auto& c : p) c /= divisor;
+}
+
+/// Distinct real roots of all t, by Sturm's theorem; its chain in integers.
+int distinct_roots(Exact const& rational) {
+  Integer common = 1;
+  for (auto const& c : rational) common = lcm(common, denominator(c));
+  std::vector<Integer> p;
+  for (auto const& c : rational) p.push_back(numerator(c) * (common / denominator(c)));
+  make_primitive(p);
   if (p.size() < 2) return 0;
-  Exact derivative;
+  std::vector<Integer> derivative;
   for (std::size_t i = 1; i < p.size(); ++i) derivative.push_back(p[i] * static_cast<int>(i));
-  std::vector<Exact> chain{p, derivative};
+  make_primitive(derivative);
+  std::vector<std::vector<Integer>> chain{p, derivative};
   while (chain.back().size() > 1) {
-    Exact rest = chain[chain.size() - 2];
-    Exact const& by = chain.back();
+    std::vector<Integer> rest = chain[chain.size() - 2];
+    std::vector<Integer> const& by = chain.back();
+    Integer const whole = abs(by.back());
     while (rest.size() >= by.size()) {
-      Rational const factor = rest.back() / by.back();
+      Integer const factor = by.back() < 0 ? Integer(-rest.back()) : rest.back();
       std::size_t const shift = rest.size() - by.size();
+      for (auto& c : rest) c *= whole; // positive: signs stay
       for (std::size_t i = 0; i < by.size(); ++i) rest[shift + i] -= factor * by[i];
-      rest.pop_back();
-      trim(rest);
+      while (!rest.empty() && rest.back() == 0) rest.pop_back();
     }
+    make_primitive(rest);
     if (rest.empty()) break;
     for (auto& c : rest) c = -c;
     chain.push_back(rest);
@@ -234,7 +247,7 @@ int found(std::vector<double> const& c) {
     return f;
   };
   PolynomialRoots roots;
-  if (!line_roots(make(double{}), roots)) line_roots(make(Twofold{}), roots);
+  if (!line_roots(make(double{}), roots)) line_roots(make(Twofold{}), {}, roots);
   return roots.count;
 }
 
@@ -246,7 +259,7 @@ TEST(Roots, OfPolynomialsAreCountedExactlyDownToASeparationOf1em7) {
     for (int exponent = 1; exponent <= 7; ++exponent) {
       double const apart = std::pow(10.0, -exponent);
       int wrong = 0;
-      for (int i = 0; i < (degree > 6 ? 5 : 40); ++i) { // Sturm's chains grow fast
+      for (int i = 0; i < 40; ++i) {
         double const scale = dice.number(.25, 4);
         std::vector<double> roots;
         while (static_cast<int>(roots.size()) + 2 <= degree) {
@@ -259,6 +272,65 @@ TEST(Roots, OfPolynomialsAreCountedExactlyDownToASeparationOf1em7) {
         if (found(c) != distinct_roots(Exact(c.begin(), c.end()))) ++wrong;
       }
       EXPECT_EQ(wrong, 0) << "degree " << degree << ", separation " << apart;
+    }
+  }
+}
+
+/// Pairs of roots `apart` (of themselves) from one another, magnitudes anywhere in 10^-range to
+/// 10^range, both signs.
+std::vector<double> wide_pairs(Dice& dice, int degree, double apart, double range) {
+  std::vector<double> roots;
+  while (static_cast<int>(roots.size()) < degree) {
+    double const sign = dice.number(-1, 1) < 0 ? -1 : 1;
+    roots.push_back(sign * std::pow(10.0, dice.number(-range, range)));
+    if (static_cast<int>(roots.size()) < degree) roots.push_back(roots.back() * (1 + apart));
+  }
+  return roots;
+}
+
+TEST(Roots, OfVeryDifferentMagnitudeAreCountedExactly) {
+  Dice dice(6);
+  for (double const range : {3.0, 6.0}) {
+    for (int const degree : {2, 3, 4, 5, 6, 8, 10, 13, 16, 20}) {
+      for (int exponent = 1; exponent <= 7; ++exponent) {
+        int wrong = 0;
+        for (int i = 0; i < (degree > 10 ? 2 : 12); ++i) { // Sturm's chains grow fast
+          std::vector<double> const c =
+              with_roots(wide_pairs(dice, degree, std::pow(10.0, -exponent), range));
+          if (found(c) != distinct_roots(Exact(c.begin(), c.end()))) ++wrong;
+        }
+        EXPECT_EQ(wrong, 0) << "degree " << degree << ", separation 1e-" << exponent << ", 1e+-"
+                            << range;
+      }
+    }
+  }
+}
+
+/// The same as surfaces, planes x = root: counts of the line as given, which runs at a slant.
+TEST(Roots, OfSurfacesOfVeryDifferentSizeAreCountedExactly) {
+  Dice dice(7);
+  for (int const degree : {2, 4, 7, 10, 14, 20}) {
+    for (int exponent = 1; exponent <= 7; exponent += 2) {
+      int wrong = 0;
+      for (int i = 0; i < (degree > 10 ? 2 : 20); ++i) {
+        std::vector<double> const c =
+            with_roots(wide_pairs(dice, degree, std::pow(10.0, -exponent), 6));
+        std::vector<double> k; // of x^degree, then of what has y or z in it as well, and so on
+        for (int a = degree; a >= 0; --a) {
+          for (int rest = (degree - a + 1) * (degree - a + 2) / 2; rest > 1; --rest) k.push_back(0);
+          k.push_back(c[static_cast<std::size_t>(a)]);
+        }
+        Ray const ray{dice.direction() * std::pow(10.0, dice.number(-3, 3)), dice.direction(),
+                      Vec3(0)};
+        Rational const o(ray.origin.x), d(ray.direction.x);
+        Exact along{Rational(0)};
+        for (int a = degree; a >= 0; --a) {
+          along = product(along, Exact{o, d});
+          along[0] += Rational(c[static_cast<std::size_t>(a)]);
+        }
+        if (found(*make_polynomial(degree, k)->shape, ray) != distinct_roots(along)) ++wrong;
+      }
+      EXPECT_EQ(wrong, 0) << "degree " << degree << ", separation 1e-" << exponent;
     }
   }
 }

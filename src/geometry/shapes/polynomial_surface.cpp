@@ -126,23 +126,44 @@ Polynomial<N> PolynomialSurface::along(std::array<N, 3> const& p, std::array<N, 
   return f;
 }
 
-template <class N>
-Polynomial<N> PolynomialSurface::compose(Window const& w) const {
-  std::array<N, 3> p, e;
+Polynomial<double> PolynomialSurface::compose(Window const& w) const {
+  std::array<double, 3> p, e;
   double const o[3] = {w.line.origin.x, w.line.origin.y, w.line.origin.z};
   double const d[3] = {w.line.direction.x, w.line.direction.y, w.line.direction.z};
   double off = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    N const step = N(w.near.t) * N(d[i]);
-    p[i] = N(o[i]) + step;
-    e[i] = N(w.unit * d[i]);
-    off = std::max(off, std::fabs(o[i]) + std::fabs(rounded(step)));
+    double const step = w.near.t * d[i];
+    p[i] = o[i] + step;
+    e[i] = w.unit * d[i];
+    off = std::max(off, std::fabs(o[i]) + std::fabs(step));
   }
-  Polynomial<N> f = along(p, e);
+  Polynomial<double> f = along(p, e);
   // Each coefficient comes by at most 3 order multiplications and additions, and what p is off by
   // moves each power by that share of the reach.
-  f.error = size_within(w.reach)
-            * (8 * (order_ + 2) * roundoff<N> + 4 * order_ * roundoff<N> * off / w.reach);
+  f.error = size_within(w.reach) * unit_roundoff * (8 * (order_ + 2) + 4 * order_ * off / w.reach);
+  return f;
+}
+
+Polynomial<Twofold> PolynomialSurface::compose_piece(Window const& w, Twofold const& low,
+                                                     double width) const {
+  std::array<Twofold, 3> p, e;
+  double const o[3] = {w.line.origin.x, w.line.origin.y, w.line.origin.z};
+  double const d[3] = {w.line.direction.x, w.line.direction.y, w.line.direction.z};
+  Twofold const t = Twofold(w.near.t) + Twofold(w.unit) * low;
+  double off[3], reach[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Twofold const step = t * Twofold(d[i]);
+    p[i] = Twofold(o[i]) + step;
+    e[i] = Twofold(width * w.unit) * Twofold(d[i]);
+    off[i] = std::fabs(o[i]) + std::fabs(rounded(step)) + std::fabs(w.near.t * d[i]);
+    reach[i] = std::fabs(rounded(p[i])) + std::fabs(rounded(e[i])) + 8 * roundoff<Twofold> * off[i];
+  }
+  Polynomial<Twofold> f = along(p, e);
+  // The same, by components; p is off by 4 roundings of its terms.
+  Local const size = local<true>({reach[0], reach[1], reach[2]});
+  f.error = roundoff<Twofold>
+            * (8 * (order_ + 2) * size.value
+               + 8 * (size.slope.x * off[0] + size.slope.y * off[1] + size.slope.z * off[2]));
   return f;
 }
 
@@ -158,12 +179,16 @@ void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings&
   w.reach = away + 2 * wanted;
 
   PolynomialRoots roots;
-  auto const f = compose<double>(w);
-  if (!line_roots(f, roots)) line_roots(compose<Twofold>(w), roots);
+  if (!line_roots(compose(w), roots)) {
+    PieceMaker const make = [&](Twofold const& low, double width) {
+      return compose_piece(w, low, width);
+    };
+    line_roots(make(Twofold(0.0), 1), make, roots);
+  }
   std::size_t const first = out.size();
   for (PolynomialRoot const& root : roots) {
     double const step = root.at * w.unit, t = w.near.t + step;
-    Vec3 const size = glm::abs(gradient(p + step * d));
+    Vec3 const size = glm::abs(local<false>(p + step * d).slope);
     auto const moved = [&](lane::Vec<double> const& by) {
       return lane::dot({size.x, size.y, size.z}, by);
     };
@@ -179,11 +204,8 @@ void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings&
   if (start != nullptr) impose_start(*start, false, first, out);
 }
 
-double PolynomialSurface::value(Vec3 const& p) const {
-  return along<double>({p.x, p.y, p.z}, {0, 0, 0}).c[0];
-}
-
-Vec3 PolynomialSurface::gradient(Vec3 const& p) const {
+template <bool Sizes>
+PolynomialSurface::Local PolynomialSurface::local(Vec3 const& p) const {
   // Horner's scheme with the derivatives carried along.
   double x = 0, x_x = 0, x_y = 0, x_z = 0;
   std::size_t next = 0;
@@ -192,8 +214,9 @@ Vec3 PolynomialSurface::gradient(Vec3 const& p) const {
     for (int b = order_ - a; b >= 0; --b) {
       double z = 0, z_z = 0;
       for (int c = order_ - a - b; c >= 0; --c) {
+        double const k = coefficients_[next++];
         z_z = z_z * p.z + z;
-        z = z * p.z + coefficients_[next++];
+        z = z * p.z + (Sizes ? std::fabs(k) : k);
       }
       y_y = y_y * p.y + y;
       y_z = y_z * p.y + z_z;
@@ -204,11 +227,11 @@ Vec3 PolynomialSurface::gradient(Vec3 const& p) const {
     x_z = x_z * p.x + y_z;
     x = x * p.x + y;
   }
-  return {x_x, x_y, x_z};
+  return {x, {x_x, x_y, x_z}};
 }
 
 Vec3 PolynomialSurface::normal(Vec3 const& point, std::uint32_t) const {
-  Vec3 const slope = gradient(point);
+  Vec3 const slope = local<false>(point).slope;
   if (slope == Vec3(0) || !finite(slope)) return {0, 1, 0}; // a singular point has none
   return unit_vector(slope);
 }

@@ -28,22 +28,29 @@ zero |
 /// The line is moved to its closest approach to the origin and measured in a power of two of the
 /// size of the surface's features there; the polynomial in the line's parameter is composed by
 /// Horner's scheme and its roots are isolated on the whole line (roots.hpp). What doubles leave
-/// open is composed again in Twofold numbers, closest approach included.
+/// open is composed again in Twofold numbers, closest approach included, and where features
+/// are of very different size, once more for the piece of the line that is in question.
 class PolynomialSurface final : public Shape {
 public:
   /// @param coefficients as in the scene language; finite, some power with one that is not zero
   PolynomialSurface(int order, std::vector<double> coefficients);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
-  bool inside(Vec3 const& point) const override { return value(point) < 0; }
+  bool inside(Vec3 const& point) const override { return local<false>(point).value < 0; }
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
 
 private:
   struct Window; ///< a line and the unit that it is measured in
-  double value(Vec3 const& point) const;
-  Vec3 gradient(Vec3 const& point) const;
-  template <class N>
-  Polynomial<N> compose(Window const& window) const;
+  struct Local {
+    double value;
+    Vec3 slope;
+  };
+  /// Value and gradient; `Sizes`: of the polynomial with |coefficients|.
+  template <bool Sizes>
+  Local local(Vec3 const& point) const;
+  Polynomial<double> compose(Window const& window) const;
+  /// The same of a piece of the line, with its own error.
+  Polynomial<Twofold> compose_piece(Window const& window, Twofold const& low, double width) const;
   template <class N>
   Polynomial<N> along(std::array<N, 3> const& point, std::array<N, 3> const& step) const;
   /// Sum of |coefficient| reach^degree.
