@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vec.hpp"
+#include "geometry/fan.hpp"
 #include "optics/fresnel.hpp"
 
 #include <cstddef>
@@ -68,6 +69,20 @@ struct LaneSurface {
   double passed_weight(LaneInterface const& face, int k) const {
     bool const unasked = face.fresnel && !explicit_reflection;
     return passed[k] * (face.total[k] ? 0 : unasked ? face.transmittance[k] : 1);
+  }
+};
+
+/// LaneSurface for each ray of a fan; arrays have the lanes of all.
+struct FanSurface {
+  double* passed = nullptr;
+  double* mirrored = nullptr;
+  bool mirrors[geometry::fan_width]{}, explicit_reflection[geometry::fan_width]{};
+  double exponent[geometry::fan_width]{1, 1, 1, 1, 1, 1, 1, 1};
+
+  /// Of ray r, where each has so many lanes.
+  LaneSurface of(std::size_t r, int lanes_each) const {
+    int const first = static_cast<int>(r) * lanes_each;
+    return {passed + first, mirrored + first, mirrors[r], explicit_reflection[r], exponent[r]};
   }
 };
 

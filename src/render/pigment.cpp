@@ -15,10 +15,10 @@ void blend(PigmentValue& value, PigmentValue const& other, double weight, int la
 } // namespace
 
 template <int Lanes>
-PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point, Beam const& beam,
-                              Arena& arena) {
+void evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point,
+                      std::uint16_t const* channel, int lanes, PigmentValue& out, Arena& arena) {
   CompiledPigment const& p = stage.pigments[static_cast<std::size_t>(pigment)];
-  if (!p.pattern) return plain_pigment<Lanes>(p, beam, arena);
+  if (!p.pattern) return plain_pigment<Lanes>(p, channel, lanes, out);
   // The items of a list stand at 0, 1 ..: a written frequency or wave blends them, as in POV-Ray.
   texture::MapPosition const position = texture::look_up(p.values, p.pattern->evaluate(point));
   auto const entry = [&](int i) { return p.entries[static_cast<std::size_t>(i)]; };
@@ -26,16 +26,20 @@ PigmentValue evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point
   Vec3 inner = point;
   for (auto m = p.pattern->mappings.rbegin(); m != p.pattern->mappings.rend(); ++m)
     inner = m->linear * inner + m->offset;
-  PigmentValue value = evaluate_pigment<Lanes>(stage, entry(position.first), inner, beam, arena);
-  if (position.weight != 0)
-    blend(value, evaluate_pigment<Lanes>(stage, entry(position.second), inner, beam, arena),
-          position.weight, Lanes > 0 ? Lanes : beam.lanes);
-  return value;
+  evaluate_pigment<Lanes>(stage, entry(position.first), inner, channel, lanes, out, arena);
+  if (position.weight == 0) return;
+  Arena::Scope const scope(arena);
+  PigmentValue other{arena.take<double>(static_cast<std::size_t>(lanes))};
+  evaluate_pigment<Lanes>(stage, entry(position.second), inner, channel, lanes, other, arena);
+  blend(out, other, position.weight, Lanes > 0 ? Lanes : lanes);
 }
 
-template PigmentValue evaluate_pigment<0>(Stage const&, int, Vec3 const&, Beam const&, Arena&);
-template PigmentValue evaluate_pigment<1>(Stage const&, int, Vec3 const&, Beam const&, Arena&);
-template PigmentValue evaluate_pigment<3>(Stage const&, int, Vec3 const&, Beam const&, Arena&);
+template void evaluate_pigment<0>(Stage const&, int, Vec3 const&, std::uint16_t const*, int,
+                                  PigmentValue&, Arena&);
+template void evaluate_pigment<1>(Stage const&, int, Vec3 const&, std::uint16_t const*, int,
+                                  PigmentValue&, Arena&);
+template void evaluate_pigment<3>(Stage const&, int, Vec3 const&, std::uint16_t const*, int,
+                                  PigmentValue&, Arena&);
 
 double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
   if (stage.opacity_version >= 3.7) return 1 - value.filter - value.transmit;

@@ -241,7 +241,9 @@ void Tracer::add_background(Vec3 const& direction, Beam const& beam) {
   auto* left = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(left, beam.lanes, 1.0);
   for (auto number = stage_.sky_pigments.rbegin(); number != stage_.sky_pigments.rend(); ++number) {
-    PigmentValue const pigment = evaluate_pigment<0>(stage_, *number, point, beam, arena_);
+    Arena::Scope const of_pigment(arena_);
+    PigmentValue pigment{arena_.take<double>(static_cast<std::size_t>(beam.lanes))};
+    evaluate_pigment<0>(stage_, *number, point, beam.channel, beam.lanes, pigment, arena_);
     double const opaque = opacity(stage_, pigment, beam.lanes);
     for (int k = 0; k < beam.lanes; ++k) {
       out_[beam.slot[k]] += beam.throughput[k] * left[k] * opaque * pigment.colour[k]

@@ -18,6 +18,7 @@
 namespace abbe::render {
 
 struct FanInterface;
+struct Meeting;
 class FanShadows;
 
 /// What a ray is inside of: the solids with an interior, the last entered first. Lives in the
@@ -149,7 +150,9 @@ private:
   /// all.
   void trace_fan(FanRay const& fan, Beam const& beam);
   /// Traces those rays whose throughput is not to be cut, counted as `kind`.
-  void trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind);
+  /// @param lines the fan's, to be filled up
+  void trace_lanes(FanRay const& fan, geometry::FanLines& lines, Beam const& beam,
+                   std::uint64_t& kind);
   /// Rays of a fan, next to each other, that met the same surface.
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     std::size_t first, std::size_t count, Frame& frame);
@@ -157,15 +160,15 @@ private:
   /// nothing done, where the rays are split
   bool interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     FanInterface& met, Frame& frame);
+  /// What the textures that a fan met return of the light, and leave of it.
+  void share_textured(FanRay const& fan, Beam& light, geometry::FanHits const& hits,
+                      FanInterface const& met, LaneInterface& face, InsideNode const* after,
+                      Frame& here, double* returns);
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);
   /// Of a medium, for each ray of a fan; whole lanes.
   void find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
                     double* out);
-  /// What the textures do to ray k of a fan.
-  LaneSurface shade_lane(PathRay const& ray, Beam const& lane, Frame& frame,
-                         FanInterface const& met, std::size_t k, LaneInterface& face,
-                         InsideNode const* after, FanShadows& shadows);
   std::span<double const> together_light(std::size_t sample) const {
     auto const n = static_cast<std::size_t>(stage_.channels);
     return {together_light_.data() + sample * n, n};
@@ -173,9 +176,12 @@ private:
 
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
-  /// The textures at the hit (shader.hpp). @param shadows where the ray is number `lane` of a fan
+  /// The textures at the hit (shader.hpp).
   LaneSurface shade(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
-                    InsideNode const* after, FanShadows* shadows = nullptr, std::size_t lane = 0);
+                    InsideNode const* after);
+  /// The same for all rays of a fan. @param shadows null for a ray alone
+  FanSurface shade_met(Meeting const& met, Beam const& beam, Frame& frame, InsideNode const* inside,
+                       InsideNode const* after, FanShadows* shadows);
   /// Goes straight on where all surfaces of the hit are displaced.
   void pass(PathRay const& ray, Beam const& beam, Frame& frame, InsideNode const* after);
   void find_normals(PathRay const& ray, Frame& frame, LaneInterface& face);

@@ -13,9 +13,20 @@ using geometry::FanHit;
 using geometry::FanHits;
 using geometry::FanLines;
 
-void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kind) {
-  Arena::Scope const scope(arena_);
+void Tracer::trace_lanes(FanRay const& fan, FanLines& all, Beam const& beam, std::uint64_t& kind) {
   int const each = fan.lanes_each, rays = beam.lanes / each;
+  auto const goes_on = [&](int k) {
+    return any_above(beam.throughput + k * each, each, stage_.adc_bailout);
+  };
+  int first_cut = 0;
+  while (first_cut < rays && goes_on(first_cut)) ++first_cut;
+  bool const together = recorder_ == nullptr;
+  if (first_cut == rays && rays > 1 && together) {
+    kind += static_cast<std::uint64_t>(rays);
+    all.fill();
+    return trace_fan(fan, beam);
+  }
+  Arena::Scope const scope(arena_);
   auto const room = geometry::fan_width * static_cast<std::size_t>(each);
   auto* lines = arena_.take<FanLines>(1);
   auto* channel = arena_.take<std::uint16_t>(room);
@@ -33,12 +44,12 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
   int lanes = 0;
   for (int k = 0; k < rays; ++k) {
     Beam const own = beam.ray(k, each);
-    if (!any_above(own.throughput, each, stage_.adc_bailout)) {
+    if (k >= first_cut && !goes_on(k)) {
       cut(own, each);
       continue;
     }
     ++kind;
-    lines->copy(n, *fan.lines, static_cast<std::size_t>(k));
+    lines->copy(n, all, static_cast<std::size_t>(k));
     std::copy_n(own.channel, each, channel + lanes);
     std::copy_n(own.tooth, each, tooth + lanes);
     std::copy_n(own.slot, each, slot + lanes);
@@ -49,7 +60,7 @@ void Tracer::trace_lanes(FanRay const& fan, Beam const& beam, std::uint64_t& kin
   lines->count = n;
   if (n > 0) lines->fill();
   some.lanes = lanes;
-  if (n > 1 && recorder_ == nullptr) return trace_fan(next, some);
+  if (n > 1 && together) return trace_fan(next, some);
   for (int k = 0; k < static_cast<int>(n); ++k) trace(next.lane(k), some.ray(k, each));
 }
 
@@ -137,19 +148,6 @@ bool Tracer::fan_normals(FanHits const& hits, std::size_t count, geometry::FanVe
   return true;
 }
 
-LaneSurface Tracer::shade_lane(PathRay const& ray, Beam const& lane, Frame& here,
-                               FanInterface const& met, std::size_t k, LaneInterface& face,
-                               InsideNode const* after, FanShadows& shadows) {
-  face.normal = face.geometric = met.normal.get(k);
-  face.cos_i = met.cos_i[k];
-  for (int c = 0; c < lane.lanes; ++c) {
-    face.reflectance[c] = met.reflectance[k];
-    face.transmittance[c] = met.transmittance[k];
-    face.total[c] = met.total[k] != 0;
-  }
-  return shade(ray, lane, here, face, after, &shadows, k);
-}
-
 void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
                           double* out) {
   if (medium.dispersive && beam.monochromatic()) {
@@ -159,6 +157,75 @@ void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, st
     std::fill_n(out, rays, medium.index_d);
   }
   for (std::size_t k = rays; k % 4 != 0; ++k) out[k] = out[rays - 1];
+}
+
+namespace {
+
+/// What a clear surface returns of each lane's light, and leaves of it.
+void share_bare(FanInterface const& met, bool fresnel, std::size_t rays, int each, double* returns,
+                double* light) {
+  for (std::size_t k = 0; k < rays; ++k) {
+    bool const total = met.total[k] != 0;
+    double const back = total ? 1 : fresnel ? met.reflectance[k] : 0;
+    double const on = total ? 0 : fresnel ? met.transmittance[k] : 1;
+    for (int c = 0; c < each; ++c, ++returns, ++light) {
+      *returns = *light * back;
+      *light *= on;
+    }
+  }
+}
+
+} // namespace
+
+void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
+                            FanInterface const& met, LaneInterface& face, InsideNode const* after,
+                            Frame& here, double* returns) {
+  std::size_t const n = fan.lines->count;
+  int const each = fan.lanes_each;
+  face.reflectance = arena_.take<double>(static_cast<std::size_t>(light.lanes));
+  face.transmittance = arena_.take<double>(static_cast<std::size_t>(light.lanes));
+  face.total = arena_.take<bool>(static_cast<std::size_t>(light.lanes));
+  bool any_total = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const first = static_cast<int>(k) * each;
+    std::fill_n(face.reflectance + first, each, met.reflectance[k]);
+    std::fill_n(face.transmittance + first, each, met.transmittance[k]);
+    std::fill_n(face.total + first, each, met.total[k] != 0);
+    any_total = any_total || met.total[k] != 0;
+  }
+  FanShadows shadows(*this, fan, hits, met.normal, after, here);
+  Meeting const meeting{n,
+                        &fan.lines->direction,
+                        &hits.point,
+                        &hits.point_error,
+                        &met.normal,
+                        &met.normal,
+                        met.cos_i,
+                        face.reflectance,
+                        0};
+  FanSurface const surface = shade_met(meeting, light, here, fan.inside, after, &shadows);
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const first = static_cast<int>(k) * each;
+    LaneSurface const own = surface.of(k, each);
+    LaneInterface lanes = face;
+    lanes.reflectance += first;
+    lanes.transmittance += first;
+    lanes.total += first;
+    Beam const arriving = light.ray(static_cast<int>(k), each);
+    if (own.mirrors && own.exponent != 1 && !lanes.total[0]) {
+      hits.write_place(k, here.hit);
+      lanes.normal = lanes.geometric = met.normal.get(k);
+      reflect(fan.lane(static_cast<int>(k)), arriving, here, lanes, own);
+      std::fill_n(returns + first, each, 0.0);
+    } else if (!own.mirrors && !face.fresnel && !any_total) {
+      std::fill_n(returns + first, each, 0.0);
+    } else {
+      bool const passes = any_above(own.passed, each, 0);
+      for (int c = 0; c < each; ++c)
+        returns[first + c] = arriving.throughput[c] * own.mirrored_weight(lanes, c, passes);
+    }
+    for (int c = 0; c < each; ++c) arriving.throughput[c] *= own.passed_weight(lanes, c);
+  }
 }
 
 bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const& hits,
@@ -188,7 +255,6 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   back.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
-  bool const bare = stage_.surfaces[hits.hit[0].primitive].bare();
   auto* back_lines = arena_.take<FanLines>(1);
   auto* through_lines = arena_.take<FanLines>(1);
   back_lines->count = through_lines->count = n;
@@ -196,59 +262,34 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   back_lines->origin_error = through_lines->origin_error = hits.point_error;
   back_lines->direction = met.mirrored;
   through_lines->direction = fan.lines->direction;
-  FanShadows shadows(*this, fan, hits, met.normal, after, here);
   int const each = fan.lanes_each;
-  face.reflectance = arena_.take<double>(static_cast<std::size_t>(each));
-  face.transmittance = arena_.take<double>(static_cast<std::size_t>(each));
-  face.total = arena_.take<bool>(static_cast<std::size_t>(each));
   for (std::size_t k = 0; k < n; ++k) {
-    Arena::Scope const of_ray(arena_);
-    auto const number = static_cast<int>(k);
-    Beam own = through.ray(number, each);
-    double* const light = own.throughput;
-    double* const returns = back.throughput + number * each;
+    Beam own = through.ray(static_cast<int>(k), each);
     absorb(own, before, hits.t[k]);
     for (int c = 0; fades && c < each; ++c)
-      light[c] *= distance_fade(before, own.channel[c], hits.t[k]);
+      own.throughput[c] *= distance_fade(before, own.channel[c], hits.t[k]);
     if (!unbent && met.n1[k] != met.n2[k]) through_lines->direction.set(k, met.refracted.get(k));
-    if (bare) {
-      bool const total = met.total[k] != 0;
-      for (int c = 0; c < each; ++c) {
-        returns[c] = light[c] * (total ? 1 : face.fresnel ? met.reflectance[k] : 0);
-        light[c] *= total ? 0 : face.fresnel ? met.transmittance[k] : 1;
-      }
-    } else {
-      PathRay const ray = fan.lane(number);
-      if (k > 0) hits.write_place(k, here.hit);
-      LaneSurface const surface = shade_lane(ray, own, here, met, k, face, after, shadows);
-      if (surface.mirrors && surface.exponent != 1 && !face.total[0]) {
-        reflect(ray, own, here, face, surface);
-        std::fill_n(returns, each, 0.0);
-      } else {
-        bool const passes = any_above(surface.passed, each, 0);
-        bool const dark = !surface.mirrors && !face.fresnel && !face.total[0];
-        if (dark) std::fill_n(returns, each, 0.0);
-        for (int c = 0; !dark && c < each; ++c)
-          returns[c] = light[c] * surface.mirrored_weight(face, c, passes);
-      }
-      for (int c = 0; c < each; ++c) light[c] *= surface.passed_weight(face, c);
-    }
-    if (met.below[k] < 0 && any_above(returns, each, stage_.adc_bailout)) {
-      face.normal = face.geometric = met.normal.get(k);
-      back_lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
-    }
+  }
+  if (stage_.surfaces[hits.hit[0].primitive].bare())
+    share_bare(met, face.fresnel, n, each, back.throughput, through.throughput);
+  else
+    share_textured(fan, through, hits, met, face, after, here, back.throughput);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!(met.below[k] < 0)) continue;
+    face.normal = face.geometric = met.normal.get(k);
+    back_lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
   }
   if (any_but_zero(back.throughput, back.lanes)) {
     here.back.on = here.hit.members;
     here.back.through = false;
-    trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, back,
-                counts_.reflected);
+    trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each},
+                *back_lines, back, counts_.reflected);
   }
   if (any_but_zero(through.throughput, through.lanes)) {
     here.through.on = here.hit.members;
     here.through.through = true;
     trace_lanes({through_lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each},
-                through, counts_.refracted);
+                *through_lines, through, counts_.refracted);
   }
   return true;
 }

@@ -145,7 +145,8 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
       lines->direction.set(
           at, optics::refracted(face.per_lane[first + k], ray.line.direction, face.normal));
     }
-    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, some,
+    lines->count = static_cast<std::size_t>(some.lanes);
+    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, *lines, some,
                 counts_.monochromatic);
   }
 }
