@@ -198,6 +198,7 @@ private:
     piece.opaque = opaque(surface.layers)
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
     for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
+    std::erase_if(surface.layers, [&](int number) { return invisible(number); });
     stage_.surfaces.push_back(std::move(surface));
     piece.interior = object.interior;
     bool const image = !object.no_image.value_or(false);
@@ -217,6 +218,14 @@ private:
     return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [&](int number) {
              return pigments_.opaque(stage_.layers[static_cast<std::size_t>(number)].pigment);
            });
+  }
+
+  /// Lets all light pass and adds none: what a glass without a texture has.
+  bool invisible(int number) const {
+    CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
+    CompiledFinish const& finish = layer.finish;
+    return pigments_.clear(layer.pigment) && finish.phong == 0 && finish.specular == 0
+           && !finish.reflection;
   }
 
   std::vector<int> layers(scene::Layers const& textures) {

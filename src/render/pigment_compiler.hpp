@@ -16,6 +16,11 @@ public:
 
   int add(scene::Pigment const& pigment);
   bool opaque(int number) const { return out_[static_cast<std::size_t>(number)].opaque; }
+  /// The same everywhere, and all light passes unchanged.
+  bool clear(int number) const {
+    CompiledPigment const& pigment = out_[static_cast<std::size_t>(number)];
+    return !pigment.pattern && pigment.colour.filter == 0 && pigment.colour.transmit == 1;
+  }
 
 private:
   int add_shared(std::shared_ptr<scene::Pigment const> const& pigment);
