@@ -75,8 +75,6 @@ private:
     return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
   }
   Verdict apply_departure(Departure const& from, double steep, HalfSpaceScratch& scratch) const;
-  End end(Common const& common, std::vector<double> const& ts, double t,
-          HalfSpaceScratch const& scratch) const;
 
   std::vector<PrimitiveId> primitives_; ///< ascending
   std::vector<std::uint8_t> outside_counts_;

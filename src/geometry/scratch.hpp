@@ -37,6 +37,7 @@ struct HalfSpaceScratch {
   std::vector<double> out;           ///< t where the line leaves, after the start; else infinity
   std::vector<double> minus_in;      ///< -t where the line enters, after the start; else infinity
   void resize(std::size_t size) {
+    if (height.size() == size) return;
     for (std::vector<double>* const v : {&height, &speed, &out, &minus_in}) v->resize(size);
   }
 };
