@@ -23,8 +23,20 @@ Bounds all_space() {
   return bounds;
 }
 
-/// Of the whole object; of an intersection the smallest of its parts' boxes is enough.
-Bounds bounds_of(Object const& object) {
+Bounds overlap(Bounds const& a, Bounds const& b) {
+  if (a.infinite || b.infinite) return a.infinite ? b : a;
+  return {glm::max(a.low, b.low), glm::min(a.high, b.high), false};
+}
+Bounds hull(Bounds const& a, Bounds const& b) {
+  if (a.infinite || b.infinite) return all_space();
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high), false};
+}
+
+Bounds bounds_of(Object const& object);
+
+/// Without what it is clipped by; of an intersection the overlap of its parts' boxes.
+Bounds whole_bounds_of(Object const& object) {
   if (object.inverse) return all_space();
   if (object.kind == Object::Kind::Shape)
     return geometry::Placed({object.shape, object.placement}).bounds();
@@ -33,22 +45,18 @@ Bounds bounds_of(Object const& object) {
   for (Object const& child : object.children) {
     if (object.kind == Object::Kind::Difference && !first) break;
     Bounds const part = bounds_of(child);
-    if (first) {
+    if (first)
       out = part;
-    } else if (object.kind == Object::Kind::Intersection) {
-      if (out.infinite)
-        out = part;
-      else if (!part.infinite)
-        out = {glm::max(out.low, part.low), glm::min(out.high, part.high), false};
-    } else if (out.infinite || part.infinite) {
-      out = all_space();
-    } else if (out.empty()) {
-      out = part;
-    } else if (!part.empty()) {
-      out = {glm::min(out.low, part.low), glm::max(out.high, part.high), false};
-    }
+    else
+      out = object.kind == Object::Kind::Intersection ? overlap(out, part) : hull(out, part);
     first = false;
   }
+  return out;
+}
+
+Bounds bounds_of(Object const& object) {
+  Bounds out = whole_bounds_of(object);
+  for (Object const& clip : object.clipped_by) out = overlap(out, bounds_of(clip));
   return out;
 }
 

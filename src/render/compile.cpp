@@ -58,23 +58,41 @@ double largest(Channels const& channels) {
   return channels.empty() ? 0 : *std::max_element(channels.begin(), channels.end());
 }
 
+/// What a layer can send of its own at most, for a pigment of 1.
+double own_light(CompiledFinish const& finish, double lamps) {
+  double const scattered = std::max(finish.diffuse, finish.diffuse_back);
+  return largest(finish.ambient) + largest(finish.emission)
+         + lamps * (scattered + finish.phong + finish.specular);
+}
+
 /// What a surface or the sky can send at most, when surfaces do not pass on more than arrives:
 /// light from behind is then weighted by what the surface in front leaves.
 double brightest(Stage const& stage) {
   double lamps = 0;
   for (auto const& light : stage.lights)
     lamps += largest(light.value) * (light.fade_power > 0 && light.fade_distance != 0 ? 2 : 1);
-  double surface = 0;
-  for (auto const& layer : stage.layers) {
-    CompiledFinish const& finish = layer.finish;
-    double const scattered = std::max(finish.diffuse, finish.diffuse_back);
-    surface = std::max(surface, largest(finish.ambient) + largest(finish.emission)
-                                    + lamps * (scattered + finish.phong + finish.specular));
-  }
-  double pigment = 1;
+  double surface = 0, pigment = 1;
+  for (auto const& layer : stage.layers)
+    surface = std::max(surface, own_light(layer.finish, lamps));
   for (auto const& each : stage.pigments) pigment = std::max(pigment, each.colour.maximum);
   double const sky = stage.sky_pigments.empty() ? 0 : largest(stage.sky_emission);
-  return std::max({pigment * surface, pigment * sky, largest(stage.background)});
+  double bound = std::max({pigment * surface, pigment * sky, largest(stage.background)});
+  // `reflection { exponent }` adds a power of what it sees, which may be another such mirror. Where
+  // that grows it is bounded by the levels that a path has; perhaps by nothing.
+  for (int level = 0; level < stage.max_trace_level; ++level) {
+    double next = bound;
+    for (auto const& layer : stage.layers) {
+      auto const& reflection = layer.finish.reflection;
+      if (!reflection || reflection->exponent == 1) continue;
+      double const most = std::max({largest(reflection->minimum), largest(reflection->maximum),
+                                    reflection->metal_n.empty() ? 0.0 : 1.0});
+      next = std::max(next, pigment * own_light(layer.finish, lamps)
+                                + most * std::pow(bound, reflection->exponent));
+    }
+    if (!(next > bound)) break;
+    bound = next;
+  }
+  return bound;
 }
 
 } // namespace

@@ -144,9 +144,9 @@ private:
       cut.add(tracer.cut_light());
     }
     double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
-    result_.missing_mean =
-        static_cast<double>(cut.sum) * CutLight::unit / samples * stage_.brightest;
-    result_.missing_most = cut.worst_sample * stage_.brightest;
+    auto const missing = [&](double lost) { return lost > 0 ? lost * stage_.brightest : 0; };
+    result_.missing_mean = missing(static_cast<double>(cut.sum) * CutLight::unit / samples);
+    result_.missing_most = missing(cut.worst_sample);
   }
 
   std::size_t index(Strip const& strip, int x, int y) const {

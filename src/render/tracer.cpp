@@ -130,6 +130,14 @@ void Tracer::count_cut(Vec3 const& lost_colour) {
 }
 
 void Tracer::cut(Beam const& beam, int lanes) {
+  if (cut_light_of(beam, lanes)) ++cut_.paths;
+}
+
+bool Tracer::cut_light_of(Beam const& beam, int lanes) {
+  if (cut_slots_ != nullptr) {
+    for (int k = 0; k < lanes; ++k) cut_slots_[beam.slot[k]] += std::abs(beam.throughput[k]);
+    return any_but_zero(beam.throughput, lanes);
+  }
   Vec3 sum(0);
   bool const plain = stage_.combs.empty(); // slots are channels, of one sample or the next
   for (int k = 0; k < lanes; ++k) {
@@ -138,9 +146,9 @@ void Tracer::cut(Beam const& beam, int lanes) {
            * glm::abs(plain ? stage_.rgb_weights[beam.channel[k]]
                             : film_.colour(beam.slot[k], waves_));
   }
-  if (sum == Vec3(0)) return;
-  ++cut_.paths;
+  if (sum == Vec3(0)) return false;
   cut_here_[plain ? beam.slot[0] / static_cast<std::uint32_t>(stage_.channels) : 0] += sum;
+  return true;
 }
 
 void Tracer::prepare_frame(int depth, PathRay const& ray, Beam const& beam) {

@@ -123,6 +123,8 @@ private:
   void trace(PathRay const& ray, Beam const& beam);
   /// Notes a beam that is not followed.
   void cut(Beam const& beam, int lanes);
+  /// The throughput of a beam is lost, or may be. @return false: nothing that can be seen
+  bool cut_light_of(Beam const& beam, int lanes);
   /// Ends a sample: the light that it lost.
   void count_cut(Vec3 const& lost);
   void add_background(Vec3 const& direction, Beam const& beam);
@@ -191,6 +193,18 @@ private:
   static Vec3 mirrored_direction(Vec3 const& direction, LaneInterface const& face);
   void transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                 LaneSurface const& surface, InsideNode const* after);
+
+  // tracer_bend.cpp
+  /// Traces a mirrored beam whose light is raised to a power.
+  void reflect_bent(PathRay const& next, Beam const& mirrored, double exponent);
+  void bend(PathRay const& next, Beam const& mirrored, double exponent);
+  /// Where light of a lane of a picking comb goes once it is picked.
+  struct Picked {
+    std::uint32_t slot = 0;
+    double weight = 1;  ///< 1 / probability
+    bool counts = true; ///< this tooth was picked, or all are (control light)
+  };
+  std::optional<Picked> pick_of(Beam const& beam, int lane);
 
   // tracer_split.cpp
   void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
@@ -265,6 +279,7 @@ private:
   RayCounts counts_;
   CutLight cut_;
   Vec3 cut_here_[geometry::fan_width]{}; ///< of the current samples
+  double* cut_slots_ = nullptr;          ///< in a capture: by slot instead
 };
 
 } // namespace abbe::render

@@ -157,21 +157,10 @@ void Tracer::reflect(PathRay const& ray, Beam const& beam, Frame& frame, LaneInt
       ray.level + 1,
       reflection_bit};
   ++counts_.reflected;
-  if (!captures) return trace(next, mirrored);
-
-  // `reflection { exponent }` bends the reflected light itself, so it is gathered apart first.
-  auto* gathered = arena_.take<double>(out_size_);
-  std::fill_n(gathered, out_size_, 0.0);
-  double* const outer = out_;
-  out_ = gathered;
-  Beam unit = mirrored;
-  unit.throughput = arena_.take<double>(static_cast<std::size_t>(unit.lanes));
-  std::fill_n(unit.throughput, unit.lanes, 1.0);
-  trace(next, unit);
-  out_ = outer;
-  for (int k = 0; k < unit.lanes; ++k)
-    out_[unit.slot[k]] +=
-        mirrored.throughput[k] * std::pow(std::max(0.0, gathered[unit.slot[k]]), surface.exponent);
+  if (captures)
+    reflect_bent(next, mirrored, surface.exponent);
+  else
+    trace(next, mirrored);
 }
 
 void Tracer::transmit(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,

@@ -112,8 +112,25 @@ std::vector<std::string> scenes() {
   std::vector<std::string> out;
   for (auto const& entry : fs::directory_iterator(ABBE_SOURCE_DIR "/examples"))
     if (entry.path().extension() == ".scn") out.push_back(entry.path().string());
+  out.push_back(ABBE_SOURCE_DIR "/tests/stability/scenes/bent_mirrors.scn");
   std::sort(out.begin(), out.end());
   return out;
+}
+
+/// Powers want the whole light, also of combs that part it: no mode loses or gains light.
+TEST(BentMirrors, ShowTheSameInAllModes) {
+  lang::EvaluateOptions options;
+  options.stdlib_dir = ABBE_STDLIB_DIR;
+  auto evaluated =
+      lang::evaluate_file(ABBE_SOURCE_DIR "/tests/stability/scenes/bent_mirrors.scn", options);
+  ASSERT_TRUE(evaluated.ok());
+  scene::Scene scene = evaluated.scene;
+  double const plain = light(render_with(scene, by_default, modes()[1], 6, 6));
+  for (Mode const& mode : modes()) {
+    SCOPED_TRACE(mode.name);
+    // A picked wavelength's noise on the part of the light that is dispersed: a percent.
+    EXPECT_NEAR(light(render_with(scene, by_default, mode, 6, 6)), plain, .01 * plain);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, MissingLight, ::testing::ValuesIn(scenes()),

@@ -3,8 +3,10 @@
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/mesh.hpp"
+#include "geometry/shapes/polynomial_surface.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/torus.hpp"
+#include "geometry/traced_solid.hpp"
 #include "scene.hpp"
 
 #include <algorithm>
@@ -374,6 +376,27 @@ TEST(Mesh, AMillionFacesAreSmallAndQuick) {
     EXPECT_GE(hit.t, 8);
     EXPECT_LE(hit.t, 10);
   }
+}
+
+/// What has no bounds of its own has those of what it is cut by.
+TEST(Bounds, OfUnboundedSurfacesThatAreCutAreThoseOfWhatCutsThem) {
+  std::vector<double> cubic(20);
+  cubic[0] = 1;  // x^3
+  cubic[18] = 1; // z
+  std::vector<Placed> const primitives{Placed(*make_polynomial(3, cubic)),
+                                       Placed({std::make_shared<Box const>(), {}})};
+  ASSERT_TRUE(primitives[0].bounds().infinite);
+  Bounds const box = primitives[1].bounds();
+  for (CsgTree const& tree :
+       {node(Op::Intersection, {leaf(0), leaf(1)}), node(Op::Intersection, {leaf(1), leaf(0)}),
+        node(Op::Difference, {leaf(1), leaf(0)}), node(Op::Clip, {leaf(0), leaf(1)}),
+        node(Op::Clip, {node(Op::Merge, {leaf(0), leaf(1)}), leaf(1)})}) {
+    Bounds const bounds = bounds_of(tree, primitives);
+    EXPECT_FALSE(bounds.infinite);
+    EXPECT_EQ(bounds.low, box.low);
+    EXPECT_EQ(bounds.high, box.high);
+  }
+  EXPECT_TRUE(bounds_of(node(Op::Merge, {leaf(0), leaf(1)}), primitives).infinite);
 }
 
 } // namespace
