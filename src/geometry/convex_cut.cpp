@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/convex_cut.hpp"
 
-#include "geometry/line.hpp"
+#include "geometry/shapes/convex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +50,8 @@ std::unique_ptr<ConvexCut const> ConvexCut::of(CsgTree const& tree, CsgProgram c
     } else if (placed.shape().one_interval() && !placed.shape().bounds().infinite
                && !leaf.taken_away) {
       cut->others_.push_back({leaf.primitive, i});
+      EndsKernel const* const kernel = placed.shape().ends_kernel();
+      cut->has_kernels_ = cut->has_kernels_ && kernel != nullptr && kernel->ends_visible();
     } else {
       return nullptr;
     }

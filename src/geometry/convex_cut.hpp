@@ -40,17 +40,24 @@ public:
   std::optional<std::size_t> entry(LineQuery const& query, Part const& part) const;
   std::optional<std::size_t> exit(LineQuery const& query, Part const& part) const;
 
-private:
   struct Operand {
     PrimitiveId primitive;
     std::uint32_t operand;
   };
+  HalfSpaces const& planes() const { return planes_; }
+  /// Bounded, none taken away.
+  std::span<Operand const> others() const { return others_; }
+  /// All of them are kernels with both ends visible: fan_cut.hpp may be asked.
+  bool has_kernels() const { return has_kernels_; }
+
+private:
   Verdict narrow(LineQuery const& query, Part& part) const;
   std::optional<std::size_t> event_of(LineQuery const& query, End const& end) const;
 
   HalfSpaces planes_;
   std::vector<std::uint32_t> plane_operands_; ///< as planes_.primitives()
   std::vector<Operand> others_;
+  bool has_kernels_ = true;
 };
 
 } // namespace abbe::geometry

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/fan.hpp"
 
+#include "geometry/fan_cut.hpp"
 #include "geometry/fan_probe.hpp"
 #include "geometry/first_end.hpp"
 #include "geometry/world_impl.hpp"
@@ -116,27 +117,77 @@ void propose_convex(Query const& query, Placed const& placed, EndsKernel const& 
   }
 }
 
-void propose_any(Query const& query, World::Impl const& world, SolidId id) {
+/// Any solid, for one ray.
+void propose_any(Query const& query, World::Impl const& world, SolidId id, std::size_t k) {
   Bounds const& bounds = world.solids[id].bounds();
-  for (std::size_t k = 0; k < query.rays.count; ++k) {
-    double const& end = query.nearest.end[k];
-    Ray const ray = query.rays.get(k);
-    double entry = 0;
-    if (!bounds.infinite && !BoxProbe(ray).enter(bounds.low, bounds.high, 0, end, entry)) continue;
-    world.solids[id].passages(
-        world.query(id, ray, query.from, query.scratch, end), false,
-        [&](TracedSolid::Passage const& passage) {
-          SurfaceCrossing const& crossing = passage.crossing;
-          if (crossing.t - passage.error > end) return false;
-          if (!passage.visible) return true;
-          bool const was_entering = query.scratch.events[passage.first].entering;
-          query.proposals.push_back({id, crossing.primitive, crossing.entering != was_entering,
-                                     passage.last - passage.first == 1, crossing.toggles});
-          propose<double>(query.nearest, k, true, crossing.t, passage.error, crossing.face,
-                          was_entering ? 1.0 : 0.0,
-                          static_cast<double>(query.proposals.size() - 1));
-          return false;
-        });
+  double const& end = query.nearest.end[k];
+  Ray const ray = query.rays.get(k);
+  double entry = 0;
+  if (!bounds.infinite && !BoxProbe(ray).enter(bounds.low, bounds.high, 0, end, entry)) return;
+  world.solids[id].passages(
+      world.query(id, ray, query.from, query.scratch, end), false,
+      [&](TracedSolid::Passage const& passage) {
+        SurfaceCrossing const& crossing = passage.crossing;
+        if (crossing.t - passage.error > end) return false;
+        if (!passage.visible) return true;
+        bool const was_entering = query.scratch.events[passage.first].entering;
+        query.proposals.push_back({id, crossing.primitive, crossing.entering != was_entering,
+                                   passage.last - passage.first == 1, crossing.toggles});
+        propose<double>(query.nearest, k, true, crossing.t, passage.error, crossing.face,
+                        was_entering ? 1.0 : 0.0, static_cast<double>(query.proposals.size() - 1));
+        return false;
+      });
+}
+
+/// The intersection of convex operands: their first end after the start.
+template <class L>
+void propose_cut(Query const& query, World::Impl const& world, SolidId id, ConvexCut const& cut) {
+  L const zero(0.0), one(1.0), far(infinity);
+  FanLines const& rays = query.rays;
+  HalfSpaces const& planes = cut.planes();
+  CutDeparture const departure = departure_of(planes, query.from);
+  std::vector<FanProposal>& proposals = query.proposals;
+  for (std::size_t at = 0; at < rays.count; at += 4) {
+    std::size_t const lanes = std::min<std::size_t>(4, rays.count - at);
+    if (departure.unclear) {
+      for (std::size_t k = at; k < at + lanes; ++k) propose_any(query, world, id, k);
+      continue;
+    }
+    auto const vec = [&](FanVectors const& v) {
+      return lane::Vec<L>{lane::load<L>(v.x + at), lane::load<L>(v.y + at),
+                          lane::load<L>(v.z + at)};
+    };
+    LaneRays<L> const lines{vec(rays.origin), vec(rays.direction), vec(rays.origin_error)};
+    CutEnd<L> const first = first_end_of<L>(cut, world.primitives, lines, query.from, departure);
+    alignas(32) double unclear[4], place[4];
+    lane::store(unclear, lane::select(first.unclear, one, zero));
+    lane::store(place, lane::select(first.found, first.place, -one));
+    for (std::size_t k = 0; k < lanes; ++k) {
+      if (unclear[k] != 0) propose_any(query, world, id, at + k);
+      double const own = place[k];
+      bool const known = !(own >= 0) || std::find(place, place + k, own) != place + k;
+      if (known) continue; // nothing, or an earlier lane has asked for all
+      auto const here = lane::both(first.found, first.place == L(own));
+      double const number = static_cast<double>(proposals.size());
+      auto const i = static_cast<std::size_t>(own);
+      if (i >= planes.count()) {
+        proposals.push_back({id, cut.others()[i - planes.count()].primitive, false, true, true});
+        propose<L>(query.nearest, at, here, first.t, first.error, first.face,
+                   lane::select(first.enters, one, zero), number);
+        continue;
+      }
+      PrimitiveId const primitive = planes.primitives()[i];
+      Placed const& placed = world.primitives[primitive];
+      Ends<L> ends;
+      placed.shape().ends_kernel()->ends(placed.line<L>(lines.origin, lines.direction), nullptr,
+                                         ends);
+      auto const entering = -far < ends.in_t; // one of the two is infinite
+      L const t = lane::select(entering, ends.in_t, ends.out_t);
+      L const error = lane::select(entering, ends.in_error, ends.out_error);
+      proposals.push_back({id, primitive, planes.outside_counts(i), true, true});
+      propose<L>(query.nearest, at, lane::both(here, lane::abs(t) < far), t,
+                 L(group_margin) * error, zero, lane::select(entering, one, zero), number);
+    }
   }
 }
 
@@ -173,6 +224,7 @@ void write_hits(FanLines const& rays, Nearest const& nearest,
 
 using ConvexProposer = void (*)(Query const&, Placed const&, EndsKernel const&, Start const*,
                                 double);
+using CutProposer = void (*)(Query const&, World::Impl const&, SolidId, ConvexCut const&);
 #if ABBE_HAS_WIDE_LANES
 ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
                                        EndsKernel const& shape, Start const* start, double number) {
@@ -180,7 +232,14 @@ ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
 }
 ConvexProposer const convex_proposer =
     __builtin_cpu_supports("avx2") ? propose_convex_wide : propose_convex<lane::Double4>;
+ABBE_FOR_AVX2 void propose_cut_wide(Query const& query, World::Impl const& world, SolidId id,
+                                    ConvexCut const& cut) {
+  propose_cut<lane::Wide4>(query, world, id, cut);
+}
+CutProposer const cut_proposer =
+    __builtin_cpu_supports("avx2") ? propose_cut_wide : propose_cut<lane::Double4>;
 #else
+CutProposer const cut_proposer = propose_cut<lane::Double4>;
 ConvexProposer const convex_proposer = propose_convex<lane::Double4>;
 #endif
 
@@ -201,8 +260,10 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
       query.proposals.push_back({id, solid.only(), solid.inverse(), true, true});
       convex_proposer(query, primitives[solid.only()], *shape, starts ? &start : nullptr,
                       static_cast<double>(query.proposals.size() - 1));
+    } else if (ConvexCut const* const cut = solid.fan_cut()) {
+      cut_proposer(query, *this, id, *cut);
     } else {
-      propose_any(query, *this, id);
+      for (std::size_t k = 0; k < rays.count; ++k) propose_any(query, *this, id, k);
     }
     farthest = nearest.farthest(rays.count);
     return true;

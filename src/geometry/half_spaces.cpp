@@ -181,16 +181,22 @@ void HalfSpaces::finish() {
   }
 }
 
+std::size_t HalfSpaces::place_of(PrimitiveId primitive) const {
+  auto const found = std::lower_bound(primitives_.begin(), primitives_.end(), primitive);
+  bool const here = found != primitives_.end() && *found == primitive;
+  return here ? static_cast<std::size_t>(found - primitives_.begin())
+              : static_cast<std::size_t>(-1);
+}
+
 HalfSpaces::Verdict HalfSpaces::apply_departure(Departure const& from, double steep,
                                                 HalfSpaceScratch& scratch) const {
   for (std::size_t i = 0; i < from.on.size(); ++i) {
     Departure::On const& on = from.on[i];
-    auto const found = std::lower_bound(primitives_.begin(), primitives_.end(), on.primitive);
-    if (found == primitives_.end() || *found != on.primitive) continue;
+    std::size_t const k = place_of(on.primitive);
+    if (k == static_cast<std::size_t>(-1)) continue;
     for (std::size_t j = 0; j < i; ++j) {
       if (from.on[j].primitive == on.primitive) return Verdict::Unclear;
     }
-    auto const k = static_cast<std::size_t>(found - primitives_.begin());
     bool const to_inside = (on.was_entering == from.through) != (outside_counts_[k] != 0);
     double const speed = scratch.speed[k];
     if (!(to_inside ? speed < -steep : speed > steep)) return Verdict::Unclear;

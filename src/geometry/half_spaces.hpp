@@ -43,6 +43,23 @@ public:
   /// A plane is nearly parallel below this many times per_t.
   static constexpr double clear_factor = 1024;
   std::span<PrimitiveId const> primitives() const { return primitives_; }
+  std::size_t count() const { return primitives_.size(); }
+  /// Place of a primitive among them, or -1.
+  std::size_t place_of(PrimitiveId primitive) const;
+  bool outside_counts(std::size_t k) const { return outside_counts_[k] != 0; }
+  Scaled plane(std::size_t k) const {
+    return {{normal_x_[k], normal_y_[k], normal_z_[k]}, level_[k]};
+  }
+  /// at_rest() and per_t() of the planes here, for any lane type.
+  template <class L>
+  L at_rest_of(lane::Vec<L> const& origin, lane::Vec<L> const& origin_error) const {
+    return L(rounding_) * (lane::sum(lane::abs(origin)) + L(2 * offset_size_))
+           + L(2.0) * lane::sum(lane::abs(origin_error));
+  }
+  template <class L>
+  L per_t_of(lane::Vec<L> const& direction) const {
+    return L(rounding_) * lane::sum(lane::abs(direction));
+  }
 
   enum class Verdict : std::uint8_t { Unclear, Nothing, Something };
   /// One end of the common part.

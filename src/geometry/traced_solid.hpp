@@ -41,6 +41,10 @@ public:
   /// Of the one primitive where it is a convex shape with both ends visible; else null.
   EndsKernel const* ends() const { return ends_; }
   bool inverse() const { return inverse_; }
+  /// Of a boolean tree that it knows and that fan_cut.hpp can be asked of; else null.
+  ConvexCut const* fan_cut() const {
+    return tree_ && tree_->cut && tree_->cut->has_kernels() ? tree_->cut.get() : nullptr;
+  }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
   /// not visible) or a patch. Members are scratch.events[first, last).
