@@ -35,6 +35,11 @@ World mixed_world() {
       *make_box({-1, -1, 2}, {0, 1, 4}),
       *make_box({5, -1, 2}, {7, 1, 4}),
       *make_sphere({6, 0.5, 2}, 0.8)};
+  // A cut stone: planes, one of them taken away, two that touch, and what bounds them.
+  for (Vec3 const& normal : {Vec3(1, 1, 0.2), Vec3(-1, 1.2, 0), Vec3(0.3, -1, 0.4),
+                             Vec3(0, 0.5, -1), Vec3(0, 0.5, -1), Vec3(0.1, 0.2, -1)})
+    shapes.push_back(*make_plane(normal, 0.7));
+  shapes.push_back(*make_cylinder({0, -1, 0}, {0, 1, 0}, 1, false));
   Transform const turned =
       Transform::rotation({17, 31, 9}).then(Transform::translation({0.3, 0.2, 5}));
   shapes[6].placement = shapes[6].placement.then(turned);
@@ -43,6 +48,13 @@ World mixed_world() {
   std::vector<World::Solid> solids;
   for (PrimitiveId id = 0; id <= 10; ++id) solids.push_back({leaf(id)});
   solids.push_back({node(Op::Difference, {leaf(11), leaf(12)})});
+  Transform const placed =
+      Transform::rotation({12, 40, 5}).then(Transform::translation({-0.5, 2.2, 2.5}));
+  for (std::size_t i = 13; i < shapes.size(); ++i)
+    shapes[i].placement = shapes[i].placement.then(placed);
+  solids.push_back({node(Op::Difference, {node(Op::Intersection, {leaf(13), leaf(14), leaf(15),
+                                                                  leaf(16), leaf(17), leaf(19)}),
+                                          leaf(18)})});
   return World(shapes, solids);
 }
 
