@@ -14,7 +14,10 @@ SHAPES = {0: 'full scene', 1: 'sphere', 2: 'box', 3: 'cylinder', 4: 'cone', 5: '
           7: 'quadric', 8: 'prism', 9: 'mesh', 10: 'triangle', 11: 'difference', 12: 'intersection, merge',
           13: 'glass sphere', 14: 'glass lens (intersection)', 15: 'glass prism',
           16: 'glass difference of a torus', 17: 'open cylinder', 18: 'quadric in a box', 19: 'superellipsoid',
-          20: 'blob', 21: 'lathe', 22: 'sphere_sweep', 23: 'isosurface', 24: 'quartic', 25: 'sor'}
+          20: 'blob', 21: 'lathe', 22: 'sphere_sweep', 23: 'isosurface', 24: 'quartic', 25: 'sor', 26: 'polygon',
+          27: 'poly of order 6', 28: 'cubic in a box', 29: 'glass blob', 30: 'blob minus a box', 31: 'glass lathe',
+          32: 'lathe minus a box', 33: 'glass sphere_sweep merged with a box', 34: 'glass superellipsoid minus a sphere',
+          35: 'glass isosurface in a box', 36: 'glass sor minus a box', 37: 'glass quartic in a box'}
 
 
 class Variant(typing.NamedTuple):
@@ -90,16 +93,17 @@ def translation(render, full):
 
 def scale_by_two(render, full):
     """The same bytes of linear floating-point pixels; the value: differing files of two (literal, placed)."""
-    del full
     if render.name != 'abbe':
         return
-    ks = (0, -60, -30, 30, 60)
+    render = render if full else render.sized(60, 45)  # bits need no fine picture
+    ks = (-60, -30, 30, 60)
     for row in SHAPES:
+        render.render('scale.pov', '.exr', Row=row)
         for k in ks:
             for placed in (0, 1):
                 render.render('scale.pov', '.exr', Row=row, Exp2=k, Placed=placed)
     for row, name in SHAPES.items():
-        first = render.render('scale.pov', '.exr', Row=row, Exp2=0, Placed=0).result().read_bytes()
+        first = render.render('scale.pov', '.exr', Row=row).result().read_bytes()
         variants = []
         for k in ks:
             same = [render.render('scale.pov', '.exr', Row=row, Exp2=k, Placed=placed).result().read_bytes()
@@ -155,7 +159,10 @@ def touching_media(render, full):
 
 DISTANT = {0: 'sphere', 1: 'cylinder', 2: 'cone', 3: 'box', 4: 'torus', 5: 'quadric', 6: 'boolean solid',
            7: 'triangle', 8: 'prism', 9: 'mesh', 10: 'superellipsoid', 11: 'blob', 12: 'lathe', 13: 'sphere_sweep',
-           14: 'isosurface', 15: 'quartic', 16: 'sor'}
+           14: 'isosurface', 15: 'quartic', 16: 'sor', 17: 'disc', 18: 'polygon', 19: 'poly of order 6', 20: 'cubic in a box',
+           21: 'blob minus a box', 22: 'lathe minus a box', 23: 'sphere_sweep merged with a box',
+           24: 'superellipsoid minus a sphere', 25: 'isosurface in a box', 26: 'sor minus a box', 27: 'quartic in a box',
+           28: 'glass sphere', 29: 'glass blob', 30: 'glass lathe', 31: 'glass superellipsoid minus a sphere'}
 
 
 def telephoto(render, full):

@@ -145,6 +145,9 @@ class Abbe(Renderer):
         super().__init__(*arguments)
         self.program = program
 
+    def sized(self, width: int, height: int) -> 'Abbe':
+        return Abbe(self.program, width, height, self.folder)
+
     def command(self, scene, out, options, declared) -> list:
         command = [self.program, 'render', str(scene), '-o', str(out), '-W', str(self.width), '-H',
                    str(self.height), '--quiet']

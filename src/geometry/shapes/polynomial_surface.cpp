@@ -132,10 +132,12 @@ Polynomial<double> PolynomialSurface::compose(Window const& w) const {
   double const d[3] = {w.line.direction.x, w.line.direction.y, w.line.direction.z};
   double off = 0;
   for (std::size_t i = 0; i < 3; ++i) {
+    // Far away, o + t d cancels: so it is made right to its own last digit.
     double const step = w.near.t * d[i];
-    p[i] = o[i] + step;
+    Twofold const place = Twofold(o[i]) + Twofold(w.near.t) * Twofold(d[i]);
+    p[i] = place.high;
     e[i] = w.unit * d[i];
-    off = std::max(off, std::fabs(o[i]) + std::fabs(step));
+    off = std::max(off, std::fabs(p[i]) + 0x1p-48 * (std::fabs(o[i]) + std::fabs(step)));
   }
   Polynomial<double> f = along(p, e);
   // Each coefficient comes by at most 3 order multiplications and additions, and what p is off by

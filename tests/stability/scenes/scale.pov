@@ -20,6 +20,11 @@ background { rgb <.25, .35, .5> }
 #end
 light_source { Far(<4, 7, -5>), rgb 1 }
 
+#declare Box_in = box { At(<-2, -2, -2>), At(<0, 2, -.1>) }
+#declare Box_around = box { At(<-.8, -.7, -.8>), At(<.9, .7, .7>) }
+#declare Blob = blob { threshold .5 sphere { At(<-.4, 0, 0>), S, 1 } sphere { At(<.4, .2, 0>), .9 * S, 1 } cylinder { At(<-.5, -.6, 0>), At(<.5, -.6, .2>), .5 * S, 1 } }
+#declare Lathe = lathe { cubic_spline 6, <.2, -1.1>, <.3, -.8>, <.8, 0>, <.3, .6>, <.4, .8>, <.5, .9> scale S translate At(<0, 0, 0>) }
+
 #switch (Row)
 #case (0) // the full scene
   sphere { At(<-1.1, 1, 0>), S texture { Clear } interior { Glass } transform To_place }
@@ -122,4 +127,67 @@ light_source { Far(<4, 7, -5>), rgb 1 }
     sturm rotate <30, 0, 20> scale S translate At(<0, 0, 0>) texture { Plain } transform To_place }
 #break
 #case (25) sor { 5, <.3, -1>, <.3, -.8>, <.8, 0>, <.3, .6>, <.5, .9> scale S translate At(<0, 0, 0>) texture { Plain } transform To_place } #break
+#case (26)
+  polygon { 6, <-.9, -.6>, <.9, -.6>, <.9, .2>, <0, .1>, <-.2, .8>, <-.9, -.6> rotate <10, 30, 5> scale S translate At(<0, 0, 0>)
+    texture { Plain } transform To_place }
+#break
+#case (27) // x^6 + y^6 + z^6 - .1
+  poly { 6, <1, 0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,
+    1, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 1,0,0,0,0,0,-.1>
+    sturm rotate <20, 40, 0> scale S translate At(<0, 0, 0>) texture { Plain } transform To_place }
+#break
+#case (28) // Cayley's cubic
+  intersection {
+    cubic { <0, 0, 0, 2, 0, 4, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1> sturm scale .6 * S translate At(<0, 0, 0>) }
+    object { Box_around }
+    texture { Plain } transform To_place
+  }
+#break
+#case (29) object { Blob texture { Clear } interior { Glass } transform To_place } Floor(-1) Sky() #break
+#case (30) difference { object { Blob } object { Box_in } texture { Plain } transform To_place } #break
+#case (31)
+  lathe { linear_spline 6, <0, -.8>, <.8, -.7>, <.3, 0>, <.6, .6>, <0, .8>, <0, -.8> scale S translate At(<0, 0, 0>)
+    texture { Clear } interior { Glass } transform To_place }
+  Floor(-1) Sky()
+#break
+#case (32) difference { object { Lathe } object { Box_in } texture { Plain } transform To_place } #break
+#case (33)
+  merge {
+    sphere_sweep { linear_spline 3, At(<-.7, -.3, 0>), .3 * S, At(<0, .4, .2>), .2 * S, At(<.7, -.2, 0>), .35 * S }
+    box { At(<-.4, -.6, -.3>), At(<.4, .1, .3>) }
+    texture { Clear } interior { Glass } transform To_place
+  }
+  Floor(-1) Sky()
+#break
+#case (34)
+  difference {
+    superellipsoid { <.4, .6> scale .8 * S translate At(<0, 0, 0>) } sphere { At(<.1, .8, -.3>), .5 * S }
+    texture { Clear } interior { Glass } transform To_place
+  }
+  Floor(-1) Sky()
+#break
+#case (35)
+  intersection {
+    isosurface { function { x*x + 2*y*y + z*z - .7 } contained_by { box { -1, 1 } } max_gradient 6 scale S translate At(<0, 0, 0>) }
+    object { Box_around }
+    texture { Clear } interior { Glass } transform To_place
+  }
+  Floor(-1) Sky()
+#break
+#case (36)
+  difference {
+    sor { 5, <.3, -1>, <.3, -.8>, <.8, 0>, <.3, .6>, <.5, .9> scale S translate At(<0, 0, 0>) } object { Box_in }
+    texture { Clear } interior { Glass } transform To_place
+  }
+  Floor(-1) Sky()
+#break
+#case (37)
+  intersection {
+    quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -1.36, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1.2, 0, 0, 0, 0, 1, 0, -1.36, 0, .36>
+      sturm rotate <30, 0, 20> scale S translate At(<0, 0, 0>) }
+    object { Box_around }
+    texture { Clear } interior { Glass } transform To_place
+  }
+  Floor(-1) Sky()
+#break
 #end
