@@ -5,6 +5,9 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -20,13 +23,53 @@ Error cannot_write(fs::path const& path, std::string const& why) {
   return Error{"E0510", fmt::format("cannot write '{}': {}", path.string(), why)};
 }
 
+/// What temporary names of a target begin with.
+std::string temporary_stem(fs::path const& target) {
+  return fmt::format(".{}.", target.filename().string().substr(0, 200));
+}
+
 /// Distinct within the process; the process number makes it distinct on the machine, O_EXCL
 /// decides.
 fs::path temporary_name(fs::path const& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path()
-         / fmt::format(".{}.{}-{}.tmp", target.filename().string().substr(0, 200), ::getpid(),
-                       count++);
+         / fmt::format("{}{}-{}.tmp", temporary_stem(target), ::getpid(), count++);
+}
+
+/// "PROCESS-NUMBER.tmp"
+bool is_temporary_end(std::string_view end) {
+  std::size_t const dash = end.find('-');
+  if (dash == end.npos || end.size() < 4 || end.substr(end.size() - 4) != ".tmp") return false;
+  auto const digits = [](std::string_view word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+  };
+  return digits(end.substr(0, dash)) && digits(end.substr(dash + 1, end.size() - dash - 5));
+}
+
+/// Removes what killed processes left of the same target. Whoever writes holds a lock, which the
+/// system takes from the dead; where there are no locks nothing is removed.
+void remove_left_over(fs::path const& target) {
+  std::string const stem = temporary_stem(target);
+  fs::path const directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::error_code failed;
+  for (fs::directory_iterator it(directory, failed), end; !failed && it != end;
+       it.increment(failed)) {
+    std::string const name = it->path().filename().string();
+    if (name.compare(0, stem.size(), stem) != 0
+        || !is_temporary_end(std::string_view(name).substr(stem.size())))
+      continue;
+    int const descriptor = ::open(it->path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(it->path().c_str());
+    ::close(descriptor);
+  }
+}
+
+/// Held until the file is closed. @return false: somebody took it for left over in between
+bool hold(int descriptor) {
+  if (::flock(descriptor, LOCK_EX) != 0) return true; // no locks here: nobody removes it either
+  struct stat status = {};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
 } // namespace
@@ -51,11 +94,16 @@ Result<fs::path> writable_target(fs::path const& path) {
 Result<AtomicFile> AtomicFile::create(fs::path const& path) {
   Result<fs::path> target = writable_target(path);
   if (!target) return target.error();
+  remove_left_over(*target);
   for (;;) {
     fs::path const temporary = temporary_name(*target);
     int const descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && (errno == EEXIST || errno == EINTR)) continue;
     if (descriptor < 0) return cannot_write(path, reason(errno));
+    if (!hold(descriptor)) {
+      ::close(descriptor);
+      continue;
+    }
     std::FILE* stream = ::fdopen(descriptor, "w+b");
     if (!stream) {
       int const os_error = errno;

@@ -9,7 +9,9 @@
 namespace abbe::image {
 
 /// A file that appears under its name only when it is complete: written under a temporary name in
-/// the same directory, renamed by commit(), removed when destroyed before that.
+/// the same directory, renamed by commit(), removed when destroyed before that. What a killed
+/// process left there is removed when the same file is written again; what a living one writes is
+/// not.
 class AtomicFile {
 public:
   /// @error E0510 with the reason of the operating system; something other than a file in the way

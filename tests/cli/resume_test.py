@@ -68,6 +68,42 @@ class Resume(CliTest):
             running.signal()
             return running.process.communicate(timeout=30)[1].decode()
 
+    def test_next_render_removes_what_a_killed_one_left(self):
+        # 64 million pixels are 24 strips: the file is begun long before the end.
+        words = ('-W', 8000, '-H', 8000, '-o', 'out.png', '--no-checkpoint')
+
+        def begun() -> list:
+            return [name for name in self.names() if name.endswith('.tmp')]
+
+        self.write('.out.png.backup.tmp', 'of somebody else')
+        self.write('.out.png.exr.1-2.tmp', 'of another picture')
+        kept = begun()
+
+        def streaming(running, *old) -> str:
+            deadline = time.monotonic() + 60
+            while time.monotonic() < deadline:
+                for name in begun():
+                    if name not in (*kept, *old):
+                        return name
+                self.assertIsNone(running.process.poll())
+                time.sleep(0.01)
+            self.fail('no picture was begun')
+
+        with Running(self.folder, 'render', 'quick.scn', *words) as running:
+            left = streaming(running)
+            running.signal(signal.SIGKILL)
+            running.process.wait()
+        self.assertIn(left, begun())
+        with Running(self.folder, 'render', 'quick.scn', *words) as running:
+            alive = streaming(running, left)
+            self.assertNotIn(left, begun(), 'the next render removes what is left')
+            self.run_abbe('render', 'quick.scn', '-W', 8, '-H', 8, '-o', 'out.png')
+            self.assertIn(alive, begun(), 'what a living process writes is not touched')
+            running.signal(signal.SIGKILL)
+            running.process.wait()
+        self.run_abbe('render', 'quick.scn', '-W', 8, '-H', 8, '-o', 'out.png')
+        self.assertEqual(begun(), kept)
+
     def test_interrupt_says_how_to_go_on(self):
         message = self.interrupted()
         self.assertIn('--resume', message)
