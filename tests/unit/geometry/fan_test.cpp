@@ -35,10 +35,11 @@ World mixed_world() {
       *make_box({-1, -1, 2}, {0, 1, 4}),
       *make_box({5, -1, 2}, {7, 1, 4}),
       *make_sphere({6, 0.5, 2}, 0.8)};
-  // A cut stone: planes, one of them taken away, two that touch, and what bounds them.
-  for (Vec3 const& normal : {Vec3(1, 1, 0.2), Vec3(-1, 1.2, 0), Vec3(0.3, -1, 0.4),
-                             Vec3(0, 0.5, -1), Vec3(0, 0.5, -1), Vec3(0.1, 0.2, -1)})
+  // A cut stone: planes, two of which touch, and one that is taken away; and what bounds them.
+  for (Vec3 const& normal :
+       {Vec3(1, 1, 0.2), Vec3(-1, 1.2, 0), Vec3(0.3, -1, 0.4), Vec3(0, 0.5, -1), Vec3(0, 0.5, -1)})
     shapes.push_back(*make_plane(normal, 0.7));
+  shapes.push_back(*make_plane({1, 0.2, 0.3}, -0.3));
   shapes.push_back(*make_cylinder({0, -1, 0}, {0, 1, 0}, 1, false));
   Transform const turned =
       Transform::rotation({17, 31, 9}).then(Transform::translation({0.3, 0.2, 5}));
