@@ -191,10 +191,31 @@ void propose_cut(Query const& query, World::Impl const& world, SolidId id, Conve
   }
 }
 
-/// The points and what is known of the surfaces.
-void write_hits(FanLines const& rays, Nearest const& nearest,
+/// set_point() for all rays; without meaning for those that met nothing.
+template <class L>
+void find_points(FanLines const& rays, Nearest const& nearest, FanHits& out) {
+  for (std::size_t at = 0; at < rays.count; at += 4) {
+    L const t = lane::load<L>(nearest.t + at), error = lane::load<L>(nearest.error + at);
+    lane::store(out.t + at, t);
+    lane::store(out.error + at, error);
+    auto const along = [&](double const* origin, double const* direction, double* point,
+                           double* point_error) {
+      L const d = lane::load<L>(direction + at), step = t * d;
+      L const p = lane::load<L>(origin + at) + step;
+      lane::store(point + at, p);
+      lane::store(point_error + at,
+                  lane::abs(d) * error + L(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
+    };
+    along(rays.origin.x, rays.direction.x, out.point.x, out.point_error.x);
+    along(rays.origin.y, rays.direction.y, out.point.y, out.point_error.y);
+    along(rays.origin.z, rays.direction.z, out.point.z, out.point_error.z);
+  }
+}
+
+/// What is known of the surfaces.
+void write_hits(std::size_t count, Nearest const& nearest,
                 std::vector<FanProposal> const& proposals, FanHits& out) {
-  for (std::size_t k = 0; k < rays.count; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     FanHit& hit = out.hit[k];
     hit = {};
     if (nearest.proposal[k] < 0) continue;
@@ -212,36 +233,41 @@ void write_hits(FanLines const& rays, Nearest const& nearest,
     hit.solid = proposal.solid;
     hit.primitive = proposal.primitive;
     hit.face = static_cast<std::uint32_t>(nearest.face[k]);
-    out.t[k] = nearest.t[k];
-    out.error[k] = nearest.error[k];
-    Vec3 point, point_error;
-    set_point(rays.origin.get(k), rays.direction.get(k), out.t[k], out.error[k], point,
-              point_error);
-    out.point.set(k, point);
-    out.point_error.set(k, point_error);
   }
 }
 
-using ConvexProposer = void (*)(Query const&, Placed const&, EndsKernel const&, Start const*,
-                                double);
-using CutProposer = void (*)(Query const&, World::Impl const&, SolidId, ConvexCut const&);
+/// The functions for the registers that the machine has.
+struct Kernels {
+  void (*convex)(Query const&, Placed const&, EndsKernel const&, Start const*, double);
+  void (*cut)(Query const&, World::Impl const&, SolidId, ConvexCut const&);
+  void (*points)(FanLines const&, Nearest const&, FanHits&);
+  FanExtents (*extents)(FanLines const&);
+};
 #if ABBE_HAS_WIDE_LANES
 ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
                                        EndsKernel const& shape, Start const* start, double number) {
   propose_convex<lane::Wide4>(query, placed, shape, start, number);
 }
-ConvexProposer const convex_proposer =
-    __builtin_cpu_supports("avx2") ? propose_convex_wide : propose_convex<lane::Double4>;
 ABBE_FOR_AVX2 void propose_cut_wide(Query const& query, World::Impl const& world, SolidId id,
                                     ConvexCut const& cut) {
   propose_cut<lane::Wide4>(query, world, id, cut);
 }
-CutProposer const cut_proposer =
-    __builtin_cpu_supports("avx2") ? propose_cut_wide : propose_cut<lane::Double4>;
-#else
-CutProposer const cut_proposer = propose_cut<lane::Double4>;
-ConvexProposer const convex_proposer = propose_convex<lane::Double4>;
+ABBE_FOR_AVX2 void find_points_wide(FanLines const& rays, Nearest const& nearest, FanHits& out) {
+  find_points<lane::Wide4>(rays, nearest, out);
+}
+ABBE_FOR_AVX2 FanExtents extents_wide(FanLines const& rays) {
+  return extents_of<lane::Wide4>(rays);
+}
 #endif
+Kernels const native = [] {
+#if ABBE_HAS_WIDE_LANES
+  if (__builtin_cpu_supports("avx2"))
+    return Kernels{propose_convex_wide, propose_cut_wide, find_points_wide, extents_wide};
+#endif
+  using lane::Double4;
+  return Kernels{propose_convex<Double4>, propose_cut<Double4>, find_points<Double4>,
+                 extents_of<Double4>};
+}();
 
 } // namespace
 
@@ -251,17 +277,17 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
   scratch.proposals.clear();
   Query const query{rays, from, scratch, nearest, scratch.proposals};
   double farthest = nearest.farthest(rays.count);
-  each_solid<FanProbe>(rays, mask, 0.0, farthest, [&](SolidId id) {
+  each_solid<FanProbe>(native.extents(rays), mask, 0.0, farthest, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     if (EndsKernel const* const shape = solid.ends()) {
       Start start;
       bool const starts = find_start(from, solid.only(), start);
       query.proposals.push_back({id, solid.only(), solid.inverse(), true, true});
-      convex_proposer(query, primitives[solid.only()], *shape, starts ? &start : nullptr,
-                      static_cast<double>(query.proposals.size() - 1));
+      native.convex(query, primitives[solid.only()], *shape, starts ? &start : nullptr,
+                    static_cast<double>(query.proposals.size() - 1));
     } else if (ConvexCut const* const cut = solid.fan_cut()) {
-      cut_proposer(query, *this, id, *cut);
+      native.cut(query, *this, id, *cut);
     } else {
       for (std::size_t k = 0; k < rays.count; ++k) propose_any(query, *this, id, k);
     }
@@ -274,7 +300,8 @@ void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_
                         double const* t_max, Scratch& scratch, FanHits& hits) const {
   Impl::Nearest nearest(rays.count, t_max);
   impl_->find_fan(rays, from, mask, scratch, nearest);
-  write_hits(rays, nearest, scratch.proposals, hits);
+  native.points(rays, nearest, hits);
+  write_hits(rays.count, nearest, scratch.proposals, hits);
   if (!impl_->contacts.any()) return;
   for (std::size_t k = 0; k < rays.count; ++k) {
     FanHit& hit = hits.hit[k];

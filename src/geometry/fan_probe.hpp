@@ -11,15 +11,36 @@
 
 namespace abbe::geometry {
 
+/// The least and the largest of the rays' origins and directions, by axis.
+struct FanExtents {
+  struct Range {
+    double least, largest;
+  };
+  Range origin[3], direction[3];
+};
+/// @param rays filled up
+template <class L>
+FanExtents extents_of(FanLines const& rays) {
+  auto const range = [&](double const* values) {
+    L low = lane::load<L>(values), high = low;
+    for (std::size_t k = 4; k < rays.count; k += 4) {
+      L const v = lane::load<L>(values + k);
+      low = lane::min(low, v);
+      high = lane::max(high, v);
+    }
+    return FanExtents::Range{lane::least(low), -lane::least(-high)};
+  };
+  return {{range(rays.origin.x), range(rays.origin.y), range(rays.origin.z)},
+          {range(rays.direction.x), range(rays.direction.y), range(rays.direction.z)}};
+}
+
 /// The boxes that any ray of a fan may meet: BoxProbe in interval arithmetic. An axis along which
 /// the rays do not all go the same way is not tested.
 class FanProbe {
 public:
-  /// @param rays filled up
-  explicit FanProbe(FanLines const& rays)
-      : axes_{axis(rays, rays.origin.x, rays.direction.x),
-              axis(rays, rays.origin.y, rays.direction.y),
-              axis(rays, rays.origin.z, rays.direction.z)} {}
+  explicit FanProbe(FanExtents const& of)
+      : axes_{axis(of.origin[0], of.direction[0]), axis(of.origin[1], of.direction[1]),
+              axis(of.origin[2], of.direction[2])} {}
 
   /// As BoxProbe::enter, of the first of the rays.
   template <class V>
@@ -45,19 +66,9 @@ private:
     double least, most;             ///< of 1 / |direction|
     bool tested, falling;
   };
-  static Axis axis(FanLines const& rays, double const* origin, double const* direction) {
-    using lane::Double4, lane::load;
-    Double4 lows = load<Double4>(origin), highs = lows;
-    Double4 slow = load<Double4>(direction), fast = slow;
-    for (std::size_t k = 4; k < rays.count; k += 4) {
-      Double4 const o = load<Double4>(origin + k), d = load<Double4>(direction + k);
-      lows = lane::min(lows, o);
-      highs = lane::max(highs, o);
-      slow = lane::min(slow, d);
-      fast = lane::max(fast, d);
-    }
-    double low = lane::least(lows), high = -lane::least(-highs);
-    double slowest = lane::least(slow), fastest = -lane::least(-fast);
+  static Axis axis(FanExtents::Range const& origin, FanExtents::Range const& direction) {
+    double low = origin.least, high = origin.largest;
+    double slowest = direction.least, fastest = direction.largest;
     bool const falling = fastest < 0;
     if (falling) {
       std::swap(low, high);

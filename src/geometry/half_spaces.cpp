@@ -22,12 +22,6 @@ struct Bound {
   double at_rest, per_t;
 };
 
-template <class L>
-double least(L const& v) {
-  return std::min(std::min(lane::get(v, 0), lane::get(v, 1)),
-                  std::min(lane::get(v, 2), lane::get(v, 3)));
-}
-
 /// Heights over the planes and speeds towards them. @return false where the line is outside of one
 /// and goes away from it
 template <class L>
@@ -88,8 +82,8 @@ bool find_ends(std::size_t size, double at_rest, double steep, HalfSpaceScratch&
     farthest_in = lane::min(farthest_in, minus_in);
   }
   if (!lane::none(unclear)) return false;
-  in = {least(farthest_in), 0};
-  out = {least(nearest_out), 0};
+  in = {lane::least(farthest_in), 0};
+  out = {lane::least(nearest_out), 0};
   if (in.t < infinity) in.plane = place_of<L>(in.t, minus_ins);
   if (out.t < infinity) out.plane = place_of<L>(out.t, outs);
   return true;

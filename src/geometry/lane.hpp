@@ -16,8 +16,9 @@ L max(L const& a, L const& b) {
   return select(a < b, b, a);
 }
 /// Of the four.
-inline double least(Double4 const& v) {
-  return min(min(v.low[0], v.low[1]), min(v.high[0], v.high[1]));
+template <class L>
+double least(L const& v) {
+  return min(min(get(v, 0), get(v, 1)), min(get(v, 2), get(v, 3)));
 }
 
 /// The rounding error of a * b: a * b == product + the result, exactly (Dekker 1971, Veltkamp's

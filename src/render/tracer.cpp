@@ -2,6 +2,7 @@
 #include "render/tracer.hpp"
 
 #include "optics/refract.hpp"
+#include "render/absorption.hpp"
 #include "render/pigment.hpp"
 #include "render/shader.hpp"
 
@@ -268,8 +269,21 @@ void Tracer::absorb(Beam& beam, Medium const& medium, double distance) {
   if (medium.absorption.empty()) return;
   for (int k = 0; k < beam.lanes; ++k) {
     double const alpha = medium.absorption[beam.channel[k]];
-    if (alpha != 0) beam.throughput[k] *= std::exp(-alpha * distance);
+    if (alpha != 0) beam.throughput[k] *= transmittance(alpha * distance);
   }
+}
+
+void Tracer::absorb_fan(Beam& beam, Medium const& medium, double const* distances, int each) {
+  if (medium.absorption.empty()) return;
+  Arena::Scope const scope(arena_);
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  auto* depths = arena_.take<double>((n + 3) / 4 * 4);
+  for (int k = 0, ray = 0; k < beam.lanes; ++ray)
+    for (int c = 0; c < each; ++c, ++k) {
+      double const alpha = medium.absorption[beam.channel[k]];
+      depths[k] = alpha != 0 ? alpha * distances[ray] : 0;
+    }
+  absorb_lanes(depths, n, beam.throughput);
 }
 
 InsideNode const* Tracer::travel(PathRay const& ray, double distance, Beam& beam) {

@@ -129,6 +129,8 @@ private:
   void count_cut(Vec3 const& lost);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
+  /// The same for the rays of a fan, each over its own distance.
+  void absorb_fan(Beam& beam, Medium const& medium, double const* distances, int lanes_each);
   /// Absorbs along the ray up to `distance` (infinite: it escapes). Solids that leak end at their
   /// bounds, and a ray that escapes has left all that are bounded. @return what it is inside of
   /// then

@@ -263,9 +263,9 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   back_lines->direction = met.mirrored;
   through_lines->direction = fan.lines->direction;
   int const each = fan.lanes_each;
+  absorb_fan(through, before, hits.t, each);
   for (std::size_t k = 0; k < n; ++k) {
-    Beam own = through.ray(static_cast<int>(k), each);
-    absorb(own, before, hits.t[k]);
+    Beam const own = through.ray(static_cast<int>(k), each);
     for (int c = 0; fades && c < each; ++c)
       own.throughput[c] *= distance_fade(before, own.channel[c], hits.t[k]);
     if (!unbent && met.n1[k] != met.n2[k]) through_lines->direction.set(k, met.refracted.get(k));

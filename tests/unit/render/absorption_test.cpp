@@ -1,68 +1,50 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/shapes/box.hpp"
-#include "render/camera.hpp"
-#include "scenes.hpp"
+#include "render/absorption.hpp"
 
-#include <cmath>
+#include "base/random.hpp"
+
 #include <gtest/gtest.h>
 
-namespace abbe::render::testing {
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace abbe::render {
 namespace {
 
-/// Light of one camera ray through a slab of glass, before the picture makes floats of it.
-Vec3 through(double thickness, optics::GlassPtr glass, scene::DispersionMode mode, int sheets = 1) {
-  scene::Scene scene;
-  for (int i = 0; i < sheets; ++i) {
-    double const z = 2 + thickness * i;
-    auto const slab = geometry::make_box({-50, -50, z}, {50, 50, z + thickness});
-    scene.objects.push_back(with_glass(object(slab->shape, slab->placement, clear()), glass, mode));
-  }
-  scene.background.rgb = Vec3(1);
-  scene.settings.spectral.requested = true;
-  scene.settings.spectral.bands = 1;
-  scene.settings.adc_bailout = 0;
-  scene.settings.max_trace_level = 200;
-  auto const plan = plan::make_plan(scene);
-  ABBE_ASSERT(plan);
-  Stage const stage = compile(scene, *plan);
-  Tracer tracer(stage);
-  auto const ray = camera_ray(stage.camera, 0.5, 0.5, 1, 1);
-  return tracer.sample(ray, SampleKey(), {});
-}
-
-/// Of index 1, so that nothing is reflected; a tenth of the light is left after 10 mm.
-optics::GlassPtr smoke() {
-  auto glass =
-      optics::GlassBuilder("smoke").constant(1).transmittance(10, {{0.3, 0.1}, {0.9, 0.1}}).build();
-  ABBE_ASSERT(glass);
-  return *glass;
-}
-
-TEST(Absorption, TwiceAsThickIsTheSquare) {
-  for (double const thickness : {1e-9, 1e-3, 0.5, 3.7, 10.0, 60.0, 600.0}) {
-    double const once = through(thickness, smoke(), none()).y;
-    // Lambert's law: 10^(-d / 10 mm). Relative error of the exponential: that of its exponent.
-    double const exponent = thickness * std::log(10) / 10;
-    EXPECT_NEAR(once / std::exp(-exponent), 1, 1e-14 * (1 + exponent)) << thickness;
-    EXPECT_NEAR(through(2 * thickness, smoke(), none()).y / (once * once), 1,
-                1e-14 * (1 + exponent))
-        << thickness;
+TEST(Absorption, IsExpToTwoUnitsInTheLastPlace) {
+  RandomKey const key(3);
+  for (std::uint64_t i = 0; i < 200000; ++i) {
+    double const depth = std::ldexp(key.child(i).uniform(0), static_cast<int>(i % 40) - 30);
+    if (depth > 700) continue;
+    double const mine = transmittance(depth);
+    long double const exact = std::exp(-static_cast<long double>(depth));
+    double const unit = std::nextafter(mine, 2.0) - mine;
+    EXPECT_LE(std::fabs(static_cast<double>(exact - mine)), 2 * unit) << depth;
   }
 }
 
-/// The depth may be passed in one piece or in many: sheets that touch are one slab.
-TEST(Absorption, ManySheetsAreOneSlab) {
-  double const slab = through(16, smoke(), none()).y;
-  for (int const sheets : {2, 16, 64})
-    EXPECT_NEAR(through(16.0 / sheets, smoke(), none(), sheets).y / slab, 1, 1e-14 * sheets);
+TEST(Absorption, EndsAreExact) {
+  EXPECT_EQ(transmittance(0), 1);
+  EXPECT_EQ(transmittance(std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(transmittance(1e300), 0);
+  EXPECT_LE(transmittance(1e-300), 1);
 }
 
-/// Nothing is left of what comes from infinitely far, and depth beyond the numbers is black, not
-/// wrong.
-TEST(Absorption, EndsInBlack) {
-  EXPECT_EQ(through(1e6, smoke(), none()).y, 0);
-  EXPECT_EQ(through(1e300, smoke(), none()).y, 0);
+TEST(Absorption, LanesHaveTheBitsOfOne) {
+  RandomKey const key(4);
+  for (std::size_t count = 1; count <= 9; ++count) {
+    std::vector<double> depths(12), values(count), expected(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      depths[i] = i % 4 == 3 ? std::numeric_limits<double>::infinity()
+                             : 30 * key.child(count).uniform(static_cast<std::uint32_t>(i));
+      values[i] = 0.5 + static_cast<double>(i);
+      expected[i] = values[i] * transmittance(depths[i]);
+    }
+    absorb_lanes(depths.data(), count, values.data());
+    EXPECT_EQ(values, expected);
+  }
 }
 
 } // namespace
-} // namespace abbe::render::testing
+} // namespace abbe::render

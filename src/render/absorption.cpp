@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "render/absorption.hpp"
+
+#include "geometry/lane.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+
+namespace abbe::render {
+namespace {
+
+namespace lane = geometry::lane;
+
+/// The integer in the last bits of `shifted` = 1.5 2^52 + k, as the exponent of 2^k.
+double power_of_two(double shifted) {
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
+}
+template <class L>
+L power_of_two(L const& shifted) {
+  double k[4];
+  lane::store(k, shifted);
+  std::uint64_t bits[4];
+  std::memcpy(bits, k, sizeof bits);
+  for (std::uint64_t& b : bits) b = (b + 1023) << 52;
+  std::memcpy(k, bits, sizeof bits);
+  return lane::load<L>(k);
+}
+
+/// exp(-depth): depth = k ln 2 + r with ln 2 in two parts (Cody and Waite 1980), the series of
+/// exp(-r) to its 13th power, which leaves 4e-18 for |r| <= ln 2 / 2.
+template <class L>
+L attenuation(L const& depth) {
+  constexpr double ln2_high = 6.93147180369123816490e-01; // its last 21 bits are zero
+  constexpr double ln2_low = 1.90821492927058770002e-10;
+  constexpr double per_ln2 = 1.44269504088896338700;
+  constexpr double shift = 0x1.8p52;
+  constexpr double deepest = 708; // exp(-708) is the last normal number, about
+  L const zero(0.0), one(1.0);
+  L const x = lane::select(L(deepest) < depth, L(deepest), depth);
+  L const shifted = L(shift) - x * L(per_ln2);
+  L const k = shifted - L(shift); // a whole number
+  L const r = (-x - k * L(ln2_high)) - k * L(ln2_low);
+  constexpr double inverse_factorial[] = {1.0 / 6227020800,
+                                          1.0 / 479001600,
+                                          1.0 / 39916800,
+                                          1.0 / 3628800,
+                                          1.0 / 362880,
+                                          1.0 / 40320,
+                                          1.0 / 5040,
+                                          1.0 / 720,
+                                          1.0 / 120,
+                                          1.0 / 24,
+                                          1.0 / 6,
+                                          0.5,
+                                          1.0};
+  L series(inverse_factorial[0]);
+  for (std::size_t i = 1; i < std::size(inverse_factorial); ++i)
+    series = series * r + L(inverse_factorial[i]);
+  L const value = (one + series * r) * power_of_two(shifted);
+  return lane::select(L(deepest) < depth, zero, value);
+}
+
+template <class L>
+void absorb(double const* depths, std::size_t count, double* values) {
+  std::size_t at = 0;
+  for (; at + 4 <= count; at += 4)
+    lane::store(values + at, lane::load<L>(values + at) * attenuation(lane::load<L>(depths + at)));
+  if (at == count) return;
+  double rest[4];
+  lane::store(rest, attenuation(lane::load<L>(depths + at)));
+  for (std::size_t i = at; i < count; ++i) values[i] *= rest[i - at];
+}
+
+using Absorber = void (*)(double const*, std::size_t, double*);
+#if ABBE_HAS_WIDE_LANES
+ABBE_FOR_AVX2 void absorb_wide(double const* depths, std::size_t count, double* values) {
+  absorb<lane::Wide4>(depths, count, values);
+}
+Absorber const absorber = __builtin_cpu_supports("avx2") ? absorb_wide : absorb<lane::Double4>;
+#else
+Absorber const absorber = absorb<lane::Double4>;
+#endif
+
+} // namespace
+
+double transmittance(double optical_depth) {
+  return attenuation(optical_depth);
+}
+
+void absorb_lanes(double* depths, std::size_t count, double* values) {
+  for (std::size_t i = count; i % 4 != 0; ++i) depths[i] = 0;
+  absorber(depths, count, values);
+}
+
+} // namespace abbe::render
