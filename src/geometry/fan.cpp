@@ -4,6 +4,7 @@
 #include "geometry/fan_cut.hpp"
 #include "geometry/fan_probe.hpp"
 #include "geometry/first_end.hpp"
+#include "geometry/registers.hpp"
 #include "geometry/world_impl.hpp"
 
 #include <algorithm>
@@ -261,7 +262,7 @@ ABBE_FOR_AVX2 FanExtents extents_wide(FanLines const& rays) {
 #endif
 Kernels const native = [] {
 #if ABBE_HAS_WIDE_LANES
-  if (__builtin_cpu_supports("avx2"))
+  if (has_wide_registers())
     return Kernels{propose_convex_wide, propose_cut_wide, find_points_wide, extents_wide};
 #endif
   using lane::Double4;

@@ -2,6 +2,7 @@
 #include "geometry/half_spaces.hpp"
 
 #include "geometry/line.hpp"
+#include "geometry/registers.hpp"
 #include "geometry/shapes/plane.hpp"
 
 #include <algorithm>
@@ -134,10 +135,9 @@ ABBE_FOR_AVX2 int count_near_wide(HalfSpaceScratch const& scratch, Bound const& 
                                   double error) {
   return count_near<Entering, lane::Wide4>(scratch, bound, t, error);
 }
-Kernels const native =
-    __builtin_cpu_supports("avx2")
-        ? Kernels{measure_wide, find_ends_wide, count_near_wide<true>, count_near_wide<false>}
-        : narrow_kernels;
+Kernels const native = has_wide_registers() ? Kernels{measure_wide, find_ends_wide,
+                                                      count_near_wide<true>, count_near_wide<false>}
+                                            : narrow_kernels;
 #else
 Kernels const native = narrow_kernels;
 #endif

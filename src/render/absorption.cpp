@@ -2,6 +2,7 @@
 #include "render/absorption.hpp"
 
 #include "geometry/lane.hpp"
+#include "geometry/registers.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -78,7 +79,7 @@ using Absorber = void (*)(double const*, std::size_t, double*);
 ABBE_FOR_AVX2 void absorb_wide(double const* depths, std::size_t count, double* values) {
   absorb<lane::Wide4>(depths, count, values);
 }
-Absorber const absorber = __builtin_cpu_supports("avx2") ? absorb_wide : absorb<lane::Double4>;
+Absorber const absorber = geometry::has_wide_registers() ? absorb_wide : absorb<lane::Double4>;
 #else
 Absorber const absorber = absorb<lane::Double4>;
 #endif

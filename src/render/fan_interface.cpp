@@ -2,6 +2,7 @@
 #include "render/fan_interface.hpp"
 
 #include "geometry/lane.hpp"
+#include "geometry/registers.hpp"
 #include "optics/refract.hpp"
 
 namespace abbe::render {
@@ -66,7 +67,7 @@ ABBE_FOR_AVX2 void meet_wide(FanVectors const& directions, std::size_t count, Fa
   meet<Same, lane::Wide4>(directions, count, face);
 }
 template <bool Same>
-Meeter const meeter = __builtin_cpu_supports("avx2") ? meet_wide<Same> : meet<Same, lane::Double4>;
+Meeter const meeter = geometry::has_wide_registers() ? meet_wide<Same> : meet<Same, lane::Double4>;
 #else
 template <bool Same>
 Meeter const meeter = meet<Same, lane::Double4>;
@@ -89,7 +90,7 @@ ABBE_FOR_AVX2 void aim_wide(FanVectors const& points, std::size_t count, Vec3 co
                             FanVectors& directions, double* distances) {
   aim<lane::Wide4>(points, count, at, directions, distances);
 }
-Aimer const aimer = __builtin_cpu_supports("avx2") ? aim_wide : aim<lane::Double4>;
+Aimer const aimer = geometry::has_wide_registers() ? aim_wide : aim<lane::Double4>;
 #else
 Aimer const aimer = aim<lane::Double4>;
 #endif

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Law 2: the same bytes for every run, number of threads and size of tiles."""
+"""Law 2: the same bytes for every run, number of threads and size of tiles, and any registers."""
 import hashlib
+import os
+import pathlib
 import unittest
 
 from support import CliTest, GLASS
@@ -18,6 +20,20 @@ class SameBytes(CliTest):
                       ['-j', 7, '--tile', 1], ['-j', 3, '--tile', 4096]):
             with self.subTest(words):
                 self.assertEqual(self.hash_of(*common, *words), first)
+
+    def test_registers(self):
+        """The kernels of AVX2 and those for any x86-64, of whole scenes. (On a machine without AVX2 both are one.)"""
+        examples = pathlib.Path(__file__).resolve().parents[2] / 'examples'
+        for scene, modes in (('prism', ('deterministic', 'stochastic')), ('brilliant', ('deterministic',)),
+                             ('glasses_on_table', ('none',)), ('csg', ('none',))):
+            for mode in modes:
+                with self.subTest(scene=scene, mode=mode):
+                    pictures = []
+                    for registers in ('any', 'baseline'):
+                        self.run_abbe('render', examples / f'{scene}.scn', '-W', 48, '-H', 36, '--dispersion', mode,
+                                      '-o', 'out.exr', '--quiet', env=os.environ | {'ABBE_REGISTERS': registers})
+                        pictures.append((self.folder / 'out.exr').read_bytes())
+                    self.assertEqual(*pictures)
 
     def test_rgb(self):
         self.same()
