@@ -49,8 +49,10 @@ std::vector<Mode> modes() {
           {"clusters 4 degrade", stochastic(4, Jitter::LowDiscrepancy, 1, Follow::Importance)}};
 }
 
-RenderResult render_with(scene::Scene& scene, Limits const& limits, Mode const& mode, int bands,
-                         int size) {
+/// Pictures of 16 x 12 pixels.
+constexpr int size = 4;
+
+RenderResult render_with(scene::Scene& scene, Limits const& limits, Mode const& mode, int bands) {
   scene.settings.adc_bailout = limits.adc_bailout;
   scene.settings.max_trace_level = limits.max_trace_level;
   plan::Overrides overrides;
@@ -98,13 +100,13 @@ TEST_P(MissingLight, IsWithinWhatTheFileSays) {
   Limits const shallow{scene.settings.adc_bailout, scene.settings.max_trace_level};
   for (Mode const& mode : modes()) {
     SCOPED_TRACE(mode.name);
-    auto const more = render_with(scene, deep, mode, 6, 6);
-    auto const usual = render_with(scene, by_default, mode, 6, 6);
+    auto const more = render_with(scene, deep, mode, 6);
+    auto const usual = render_with(scene, by_default, mode, 6);
     expect_bounded(usual, more);
     // Without sign: a picture of what is missing.
     EXPECT_LE(std::abs(light(more) - light(usual)), 1e-4 * light(more));
     for (Limits const& limits : {shallow, Limits{1.0 / 255, 5}, Limits{0.1, 3}})
-      expect_bounded(render_with(scene, limits, mode, 6, 6), more);
+      expect_bounded(render_with(scene, limits, mode, 6), more);
   }
 }
 
@@ -125,11 +127,11 @@ TEST(BentMirrors, ShowTheSameInAllModes) {
       lang::evaluate_file(ABBE_SOURCE_DIR "/tests/stability/scenes/bent_mirrors.scn", options);
   ASSERT_TRUE(evaluated.ok());
   scene::Scene scene = evaluated.scene;
-  double const plain = light(render_with(scene, by_default, modes()[1], 6, 6));
+  double const plain = light(render_with(scene, by_default, modes()[1], 6));
   for (Mode const& mode : modes()) {
     SCOPED_TRACE(mode.name);
     // A picked wavelength's noise on the part of the light that is dispersed: a percent.
-    EXPECT_NEAR(light(render_with(scene, by_default, mode, 6, 6)), plain, .01 * plain);
+    EXPECT_NEAR(light(render_with(scene, by_default, mode, 6)), plain, .01 * plain);
   }
 }
 
