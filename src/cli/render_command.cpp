@@ -162,7 +162,7 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
 image::ImageHead head_of(Arguments const& arguments, plan::Plan const& plan) {
   image::ImageHead head;
   auto const& options = arguments.options;
-  auto const region = options.region.value_or(render::Region{0, 0, options.width, options.height});
+  render::Region const region = options.pixels();
   head.width = region.x1 - region.x0;
   head.height = region.y1 - region.y0;
   if (options.spectral_output) {
@@ -267,8 +267,7 @@ int write_records(Arguments const& arguments, RenderStats stats, Stopwatch const
     if (!written) return fail(written.error(), 3);
   }
   if (!arguments.cost_map.empty()) {
-    auto const region =
-        options.region.value_or(render::Region{0, 0, options.width, options.height});
+    render::Region const region = options.pixels();
     auto const written = write_cost_map(arguments.cost_map, *options.rays_of_pixels,
                                         region.x1 - region.x0, region.y1 - region.y0);
     if (!written) return fail(written.error(), 3);

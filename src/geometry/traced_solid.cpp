@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/traced_solid.hpp"
 
+#include "geometry/bounds.hpp"
+
 #include "geometry/shapes/convex.hpp"
 
 #include <algorithm>
@@ -15,23 +17,6 @@ namespace {
 constexpr std::size_t many_operands = 8;
 /// Events up to which looking through them costs less than changing states to and fro.
 constexpr std::size_t few_events = 16;
-
-Bounds all_space() {
-  Bounds bounds;
-  bounds.infinite = true;
-  return bounds;
-}
-Bounds overlap(Bounds const& a, Bounds const& b) {
-  if (a.infinite) return b;
-  if (b.infinite) return a;
-  return {glm::max(a.low, b.low), glm::min(a.high, b.high), false};
-}
-Bounds hull(Bounds const& a, Bounds const& b) {
-  if (a.infinite || b.infinite) return all_space();
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {glm::min(a.low, b.low), glm::max(a.high, b.high), false};
-}
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/contact.hpp"
 
+#include "geometry/bounds.hpp"
 #include "geometry/contact.hpp"
 #include "geometry/placed.hpp"
 #include "plan/dispersion.hpp"
@@ -13,25 +14,10 @@
 namespace abbe::plan {
 namespace {
 
+using geometry::all_space;
 using geometry::Bounds;
 using scene::Interior;
 using scene::Object;
-
-Bounds all_space() {
-  Bounds bounds;
-  bounds.infinite = true;
-  return bounds;
-}
-
-Bounds overlap(Bounds const& a, Bounds const& b) {
-  if (a.infinite || b.infinite) return a.infinite ? b : a;
-  return {glm::max(a.low, b.low), glm::min(a.high, b.high), false};
-}
-Bounds hull(Bounds const& a, Bounds const& b) {
-  if (a.infinite || b.infinite) return all_space();
-  if (a.empty() || b.empty()) return a.empty() ? b : a;
-  return {glm::min(a.low, b.low), glm::max(a.high, b.high), false};
-}
 
 Bounds bounds_of(Object const& object);
 

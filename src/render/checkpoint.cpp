@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/checkpoint.hpp"
 
+#include "base/word_hash.hpp"
+
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -30,25 +32,13 @@ struct Record {
 };
 static_assert(std::is_trivially_copyable_v<Record>);
 
-/// FNV-1a over words of 8 bytes: torn writes are what it must find.
+/// Torn writes are what it must find.
 std::uint64_t checksum(Record record, std::span<float const> values) {
   record.checksum = 0;
-  std::uint64_t sum = 0xcbf29ce484222325;
-  auto const add = [&sum](void const* bytes, std::size_t count) {
-    auto const* at = static_cast<char const*>(bytes);
-    while (count > 0) {
-      std::uint64_t word = 0;
-      std::size_t const part = std::min(count, sizeof word);
-      std::memcpy(&word, at, part);
-      sum = (sum ^ word) * 0x100000001b3;
-      sum ^= sum >> 29;
-      at += part;
-      count -= part;
-    }
-  };
-  add(&record, sizeof record);
-  add(values.data(), values.size_bytes());
-  return sum;
+  WordHash sum;
+  sum.add(&record, sizeof record);
+  sum.add(values.data(), values.size_bytes());
+  return sum.value();
 }
 
 std::string reason() {

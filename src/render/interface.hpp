@@ -6,6 +6,7 @@
 #include "optics/fresnel.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace abbe::render {
 
@@ -21,12 +22,20 @@ inline bool any_above(double const* values, int n, double threshold) {
   return false;
 }
 
+/// The crossing (of a hit's) whose surface is shown where several coincide: the first that is
+/// entered, else the first left. @return its place; 0 where there is none at all
+inline std::size_t carrier_of(std::vector<geometry::SurfaceCrossing> const& crossings) {
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (crossings[i].entering) return i;
+  return 0;
+}
+
 /// What an interface does to the lanes of a beam that meets it. Arrays are per lane, in the arena.
 struct LaneInterface {
   Vec3 normal{0};    ///< unit shading normal on the side the ray comes from
   Vec3 geometric{0}; ///< the true one, same side
-  /// The crossing (of the hit's) whose surface this is: the first entered, else the first left.
-  /// Where others coincide with it, it alone reflects by Fresnel: there is one interface.
+  /// carrier_of() the hit. Where others coincide with it, it alone reflects by Fresnel: there is
+  /// one interface.
   std::size_t carrier = 0;
   double cos_i = 1;
   int before = 0; ///< media

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/path_record.hpp"
 
+#include "render/interface.hpp"
 #include "render/tracer.hpp"
 
 #include <algorithm>
@@ -62,12 +63,9 @@ void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   if (hit.members.empty()) return;
   ray.step.met = true;
   ray.step.point = hit.point + stage_.camera.location;
-  auto seen = std::find_if(hit.crossings.begin(), hit.crossings.end(),
-                           [](auto const& crossing) { return crossing.entering; });
   // None is left where a medium of higher priority displaces all of them.
-  auto const primitive = seen != hit.crossings.end() ? seen->primitive
-                         : !hit.crossings.empty()    ? hit.crossings.front().primitive
-                                                     : hit.members.front().primitive;
+  auto const primitive = hit.crossings.empty() ? hit.members.front().primitive
+                                               : hit.crossings[carrier_of(hit.crossings)].primitive;
   ray.step.object = stage_.surfaces[primitive].object;
   ray.step.keyword = stage_.surfaces[primitive].keyword;
 }

@@ -18,13 +18,6 @@
 namespace abbe::render {
 namespace {
 
-std::uint32_t tile_count(RenderOptions const& options) {
-  Region const region = options.region.value_or(Region{0, 0, options.width, options.height});
-  int const size = std::max(1, options.tile_size);
-  return static_cast<std::uint32_t>((region.x1 - region.x0 + size - 1) / size)
-         * static_cast<std::uint32_t>((region.y1 - region.y0 + size - 1) / size);
-}
-
 /// Some rows of tiles in work.
 struct Strip {
   int y0 = 0, y1 = 0;       ///< pixels
@@ -42,7 +35,7 @@ public:
       : stage_(stage),
         options_(options),
         space_(space),
-        region_(options.region.value_or(Region{0, 0, options.width, options.height})),
+        region_(options.pixels()),
         size_(std::max(1, options.tile_size)),
         across_((region_.x1 - region_.x0 + size_ - 1) / size_),
         down_((region_.y1 - region_.y0 + size_ - 1) / size_),
@@ -53,6 +46,10 @@ public:
                                      * static_cast<std::size_t>(width());
     strip_rows_ = static_cast<int>(std::clamp<std::size_t>(options.rows_bytes / row_of_tiles, 1,
                                                            static_cast<std::size_t>(down_)));
+  }
+
+  std::uint32_t tiles() const {
+    return static_cast<std::uint32_t>(across_) * static_cast<std::uint32_t>(down_);
   }
 
   RenderResult run() {
@@ -371,12 +368,12 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
   ABBE_ASSERT(!options.rays_of_pixels || !options.checkpoint);
   Stage stage = compile(scene, plan);
   if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
+  Frame frame(stage, options, plan::WorkingSpace(scene.settings));
   if (options.checkpoint) {
-    auto const tiles = tile_count(options);
     std::uint32_t const passes = options.anti_aliasing.method == 1 ? 2 : 1;
-    options.checkpoint->begin(tiles, passes);
+    options.checkpoint->begin(frame.tiles(), passes);
   }
-  return Frame(stage, options, plan::WorkingSpace(scene.settings)).run();
+  return frame.run();
 }
 
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,

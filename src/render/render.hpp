@@ -64,6 +64,11 @@ struct RenderOptions {
   std::vector<float>* rays_of_pixels = nullptr;
   /// Finished tiles are kept in it, and taken from it. Must have been resumed, if at all.
   Checkpoint* checkpoint = nullptr;
+
+  /// What is rendered: the region, or all.
+  Region pixels() const {
+    return region.value_or(Region{0, 0, width, height});
+  }
 };
 
 struct RenderResult {

@@ -24,14 +24,10 @@ Incidence incidence(Vec3 const& direction, Vec3 const& normal) {
 } // namespace
 
 void Tracer::find_normals(PathRay const& ray, Frame& frame, LaneInterface& face) {
-  // The first surface entered gives the normal; leaving only, the first left.
-  auto const& crossings = frame.hit.crossings;
-  auto chosen = std::find_if(crossings.begin(), crossings.end(),
-                             [](auto const& crossing) { return crossing.entering; });
-  if (chosen == crossings.end()) chosen = crossings.begin();
-  face.carrier = static_cast<std::size_t>(chosen - crossings.begin());
+  face.carrier = carrier_of(frame.hit.crossings);
+  auto const& chosen = frame.hit.crossings[face.carrier];
   auto const [smoothed, geometric] =
-      stage_.world->normals(chosen->primitive, chosen->face, frame.hit.point);
+      stage_.world->normals(chosen.primitive, chosen.face, frame.hit.point);
   face.normal = smoothed;
   face.geometric = geometric;
   Vec3 const& d = ray.line.direction;

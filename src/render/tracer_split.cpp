@@ -106,10 +106,11 @@ void Tracer::meet_comb(PathRay const& ray, Beam const& beam, Frame& frame,
   if (!face.doubles) {
     teeth = combed(beam, face.comb);
     find_interface(teeth, ray.line.direction, own);
-    passing = for_teeth(surface, beam, teeth, arena_);
   }
-  // It may mirror by its Fresnel reflectance.
-  if (surface.explicit_reflection) passing = shade(ray, unlit(teeth), frame, own, after);
+  if (surface.explicit_reflection) // it may mirror by its Fresnel reflectance
+    passing = shade(ray, unlit(teeth), frame, own, after);
+  else if (!face.doubles)
+    passing = for_teeth(surface, beam, teeth, arena_);
   reflect(ray, teeth, frame, own, passing);
   transmit(ray, teeth, frame, own, passing, after);
 
