@@ -39,8 +39,8 @@ std::string set_anti_aliasing(std::string const& text, render::AntiAliasing& aa)
   }
   int depth = 0;
   auto const [end, failed] = std::from_chars(text.data(), text.data() + text.size(), depth);
-  if (failed != std::errc() || end != text.data() + text.size() || depth < 1 || depth > 9)
-    return "expected 'off' or a depth from 1 to 9, got '" + text + "'";
+  if (failed != std::errc() || end != text.data() + text.size() || depth < 1 || depth > 64)
+    return "expected 'off' or a depth from 1 to 64, got '" + text + "'";
   aa.depth = depth;
   if (aa.method == 0) aa.method = 1;
   return "";
@@ -87,6 +87,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(1, 2));
   app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
       ->check(CLI::Range(0.0, 3.0))
+      ->capture_default_str();
+  app.add_option("--aa-jitter", options.anti_aliasing.jitter,
+                 "how far the rays of method 1 lie from the middle of their cells, of the cells")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_option(
          "--error", arguments.target.delta_e,
@@ -285,6 +289,7 @@ int choose(Arguments& arguments, lang::Evaluated const& evaluated) {
   if (!choice) return fail(choice.error(), 1);
   if (choice->bands && !arguments.scene.bands) arguments.scene.bands = choice->bands;
   if (!choice->dispersion.empty()) arguments.scene.dispersion = choice->dispersion;
+  if (!choice->representation.empty()) arguments.scene.representation = choice->representation;
   options.anti_aliasing = choice->aa;
   if (arguments.scene.quiet) return 0;
   fmt::print(stderr,
@@ -294,7 +299,7 @@ int choose(Arguments& arguments, lang::Evaluated const& evaluated) {
              target.seconds > 0 ? "closest in the time"
              : choice->reached  ? "one with the fewest rays"
                                 : "closest",
-             choice->probes - 1, 100 * choice->probe_share);
+             choice->probes, 100 * choice->probe_share);
   if (!choice->reached)
     fmt::print(stderr, "abbe: the {} cannot be reached with what may be chosen\n",
                target.seconds > 0 ? "time" : "error");

@@ -4,6 +4,7 @@
 #include "base/cpu_time.hpp"
 #include "image/atomic_file.hpp"
 #include "image/io.hpp"
+#include "study/ray_counts_json.hpp"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -40,13 +41,7 @@ image::Status write_stats(std::string const& path, RenderStats const& stats, pla
       {"seed", options.seed},
       {"scene_s", {{"wall", stats.scene_wall_s}, {"cpu", stats.scene_cpu_s}}},
       {"render_s", {{"wall", stats.render_wall_s}, {"cpu", stats.render_cpu_s}}},
-      {"rays",
-       {{"camera", rays.camera},
-        {"reflected", rays.reflected},
-        {"refracted", rays.refracted},
-        {"monochromatic", rays.monochromatic},
-        {"shadow", rays.shadow},
-        {"total", rays.total()}}},
+      {"rays", study::rays_to_json(rays)},
       {"splits", rays.splits},
       {"fan_out", rays.splits == 0 ? 0 : double(rays.monochromatic) / double(rays.splits)},
       {"missing_mean", result.missing_mean},

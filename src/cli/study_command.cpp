@@ -24,7 +24,7 @@ struct Arguments {
   std::string reference_text;
   double budget_s = 300;
   std::string budget_text = "5m";
-  int seeds = 4;
+  int seeds = 2;
   int threads = 0;
   std::string folder;
 };

@@ -25,6 +25,7 @@ void read_spacing(Reader& in, SpectralSettings& spectral) {
   } else {
     in.report(Severity::Error, "E0250",
               "expected 'uniform', 'hall' or 'boundaries { ... }' after 'spacing'", in.next_span());
+    if (!in.at_end()) in.skip();
   }
 }
 
@@ -51,6 +52,7 @@ void read_representation(Reader& in, scene::Representation& out) {
               "expected 'bands', 'composite', 'basis SIZE' or 'adaptive tolerance T' after "
               "'representation'",
               in.next_span());
+    if (!in.at_end()) in.skip();
   }
 }
 

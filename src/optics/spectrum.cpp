@@ -192,19 +192,33 @@ Vec3 light_rgb(Spectrum const& light) {
   return xyz_to_rgb(raw * light.unit(range, raw.y));
 }
 
-std::vector<double> Spectrum::line_wavelengths_nm() const {
-  std::vector<double> out;
+SplitTable Spectrum::split(Bands const& bands) const {
+  if (kind_ == Kind::Power) return split_peaks(*rows_, bands);
+  SplitTable out;
   if (kind_ == Kind::Lines)
-    for (Pair const& line : *rows_) out.push_back(line[0]);
+    for (Pair const& line : *rows_)
+      if (bands.contains(line[0])) out.lines.push_back(line);
   return out;
 }
 
-std::vector<double> light_at_lines(Spectrum const& light, Bands const& range,
+std::vector<double> light_beside_lines(Spectrum const& light, Bands const& bands) {
+  if (light.kind_ == Spectrum::Kind::Lines)
+    return std::vector<double>(static_cast<std::size_t>(bands.count()), 0.0);
+  if (light.kind_ != Spectrum::Kind::Power) return light_bands(light, bands);
+  auto split = light.split(bands);
+  Spectrum smooth(Spectrum::Kind::Power, 0, std::move(split.smooth));
+  // In the units of the whole.
+  double const own = smooth.raw_xyz(bands).y;
+  double const whole = light.raw_xyz(bands).y;
+  smooth.scale_ = whole > 0 ? light.scale_ * own / whole : 0;
+  return light_bands(smooth, bands);
+}
+
+std::vector<double> light_at_lines(Spectrum const& light, Bands const& bands,
                                    std::vector<double> const& lines_nm) {
   std::vector<double> values(lines_nm.size(), 0.0);
-  if (light.kind_ != Spectrum::Kind::Lines) return values;
-  double const unit = light.unit(range, light.raw_xyz(range).y);
-  for (Pair const& line : *light.rows_)
+  double const unit = light.unit(bands, light.raw_xyz(bands).y);
+  for (Pair const& line : light.split(bands).lines)
     for (std::size_t i = 0; i < lines_nm.size(); ++i)
       if (lines_nm[i] == line[0]) values[i] += unit * line[1] / d65_power_at(line[0]);
   return values;

@@ -5,6 +5,7 @@
 #include "base/vec.hpp"
 #include "optics/bands.hpp"
 #include "optics/interpolate.hpp"
+#include "optics/peaks.hpp"
 
 #include <functional>
 #include <memory>
@@ -44,14 +45,17 @@ public:
 
   /// Value of a reflectance at a wavelength; samples and constants only.
   double value(double lambda_nm) const;
-  /// Wavelengths of emission lines; empty for any other spectrum.
-  std::vector<double> line_wavelengths_nm() const;
+  /// What `representation composite` tells apart: lines that were given as such, within the range
+  /// of the bands, and peaks of a power table that are lines as far as these bands can tell
+  /// (optics/peaks.hpp). `smooth` is the rest of a power table, and empty for any other spectrum.
+  SplitTable split(Bands const& bands) const;
   /// Wavelengths at which a table has its rows.
   std::vector<double> knots() const;
 
 private:
   friend std::vector<double> light_bands(Spectrum const&, Bands const&);
   friend Vec3 light_rgb(Spectrum const&);
+  friend std::vector<double> light_beside_lines(Spectrum const&, Bands const&);
   friend std::vector<double> light_at_lines(Spectrum const&, Bands const&,
                                             std::vector<double> const&);
   enum class Kind { Constant, Samples, Power, Blackbody, Lines };
@@ -73,9 +77,12 @@ private:
 /// common factor that makes the luminance exact, so that a light of luminance 1 has luminance 1 for
 /// every n. A line goes to its band whole (energy); lines outside the range are left out.
 std::vector<double> light_bands(Spectrum const& light, Bands const& bands);
+/// light_bands of what is left of the light without Spectrum::split(bands).lines.
+std::vector<double> light_beside_lines(Spectrum const& light, Bands const& bands);
 /// Emission lines one by one: the power of each of the given lines, relative to that of D65 in one
-/// nm there, in the units of light_bands. Lines that the light does not have are 0.
-std::vector<double> light_at_lines(Spectrum const& light, Bands const& range,
+/// nm there, in the units of light_bands. Lines that are not among Spectrum::split(bands).lines are
+/// 0.
+std::vector<double> light_at_lines(Spectrum const& light, Bands const& bands,
                                    std::vector<double> const& lines_nm);
 /// Linear sRGB of the light, integrated over 360..830 nm (unclipped: may be negative).
 Vec3 light_rgb(Spectrum const& light);

@@ -115,12 +115,11 @@ std::vector<std::vector<double>> Palette::products() const {
   return out;
 }
 
-std::vector<double> find_lines_nm(scene::Scene const& scene, optics::Bands const& range) {
+std::vector<double> find_lines_nm(scene::Scene const& scene, optics::Bands const& bands) {
   std::set<double> lines;
   auto const add = [&](Colour const& colour) {
     if (!colour.spectrum) return;
-    for (double const line_nm : colour.spectrum->line_wavelengths_nm())
-      if (range.contains(line_nm)) lines.insert(line_nm);
+    for (auto const& line : colour.spectrum->split(bands).lines) lines.insert(line[0]);
   };
   Walk(add, [](Colour const&) {}).scene(scene);
   return {lines.begin(), lines.end()};

@@ -27,7 +27,7 @@ inline constexpr std::size_t palette_pair_limit = 24;
 /// A flat light is always among them: rgb colours are multiples of white.
 Palette find_palette(scene::Scene const& scene, optics::Bands const& grid);
 
-/// Wavelengths of all emission lines in the scene's lights, within the range; ascending.
-std::vector<double> find_lines_nm(scene::Scene const& scene, optics::Bands const& range);
+/// Wavelengths of all emission lines in the scene's lights (optics::Spectrum::split); ascending.
+std::vector<double> find_lines_nm(scene::Scene const& scene, optics::Bands const& bands);
 
 } // namespace abbe::plan

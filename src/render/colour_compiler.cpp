@@ -59,10 +59,12 @@ Channels ColourCompiler::reflectance(scene::Colour const& colour) {
 Channels ColourCompiler::light(scene::Colour const& colour) {
   if (!colour.spectrum) return uplifted(colour.rgb, Role::Light);
   ABBE_ASSERT(spectral_);
-  if (spectral_->lines_nm.empty() || colour.spectrum->line_wavelengths_nm().empty())
+  if (spectral_->lines_nm.empty())
     return times_rgb(
         colour, from_bands(optics::light_bands(*colour.spectrum, spectral_->bands), Role::Light));
-  Channels values(static_cast<std::size_t>(spectral_->band_count()), 0.0);
+  Channels values =
+      from_bands(optics::light_beside_lines(*colour.spectrum, spectral_->bands), Role::Light);
+  values.resize(static_cast<std::size_t>(spectral_->band_count()));
   auto const lines =
       optics::light_at_lines(*colour.spectrum, spectral_->bands, spectral_->lines_nm);
   values.insert(values.end(), lines.begin(), lines.end());

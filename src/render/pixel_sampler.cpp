@@ -23,7 +23,7 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       options_(options),
       tracer_(tracer),
       frame_key_(options.seed),
-      grid_(std::int64_t{1} << options.anti_aliasing.depth),
+      grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << options.anti_aliasing.depth : 1),
       negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
 
 Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t index) {

@@ -18,6 +18,23 @@
 namespace abbe::render {
 namespace {
 
+int cores_of(RenderOptions const& options) {
+  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+}
+
+/// work(i) for each whole number from `first` to below `last`, on so many cores.
+template <class Work>
+void for_each(int first, int last, int cores, Work const& work) {
+  if (cores == 1) { // also within another for_each, which has the other cores
+    for (int i = first; i < last; ++i) work(i);
+    return;
+  }
+  tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(cores));
+  tbb::task_arena arena(cores);
+  arena.execute([&] { tbb::parallel_for(first, last, work); });
+}
+
 /// Some rows of tiles in work.
 struct Strip {
   int y0 = 0, y1 = 0;       ///< pixels
@@ -225,44 +242,37 @@ private:
   /// how many
   template <class Work>
   void for_each_tile(Strip& strip, std::uint32_t pass, Work const& work) {
-    int const cores =
-        options_.threads > 0 ? options_.threads : tbb::this_task_arena::max_concurrency();
-    tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(cores));
-    tbb::task_arena arena(cores);
-    arena.execute([&] {
-      tbb::parallel_for(strip.tile0 * across_, strip.tile1 * across_, [&](int tile) {
-        if (stopped()) return;
-        Box box{region_.x0 + tile % across_ * size_, region_.y0 + tile / across_ * size_, 0, 0};
-        box.x1 = std::min(box.x0 + size_, region_.x1);
-        box.y1 = std::min(box.y0 + size_, region_.y1);
-        if (!options_.checkpoint || !take(strip, box, pass, tile)) {
-          Tracer& tracer = tracers_.local();
-          PixelSampler sampler(stage_, options_, tracer);
-          RayCounts const before = tracer.counts();
-          CutLight const cut_before = tracer.cut_light();
-          for (int y = box.y0; y < box.y1; ++y) {
-            if (stopped()) return;
-            for (int x = box.x0; x < box.x1;) {
-              if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
-              std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
-              // Rays of pixels that are made together cannot be told apart.
-              int const made = work(sampler, x, y, options_.rays_of_pixels ? 1 : box.x1 - x);
-              if (options_.rays_of_pixels)
-                (*options_.rays_of_pixels)[number(x, y)] +=
-                    static_cast<float>(tracer.counts().total() - rays);
-              // Of several pixels' centres, the one in whose middle it is.
-              if (sampler.wrong())
-                return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x,
-                            y);
-              x += made;
-            }
+    int const cores = cores_of(options_);
+    for_each(strip.tile0 * across_, strip.tile1 * across_, cores, [&](int tile) {
+      if (stopped()) return;
+      Box box{region_.x0 + tile % across_ * size_, region_.y0 + tile / across_ * size_, 0, 0};
+      box.x1 = std::min(box.x0 + size_, region_.x1);
+      box.y1 = std::min(box.y0 + size_, region_.y1);
+      if (!options_.checkpoint || !take(strip, box, pass, tile)) {
+        Tracer& tracer = tracers_.local();
+        PixelSampler sampler(stage_, options_, tracer);
+        RayCounts const before = tracer.counts();
+        CutLight const cut_before = tracer.cut_light();
+        for (int y = box.y0; y < box.y1; ++y) {
+          if (stopped()) return;
+          for (int x = box.x0; x < box.x1;) {
+            if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
+            std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
+            // Rays of pixels that are made together cannot be told apart.
+            int const made = work(sampler, x, y, options_.rays_of_pixels ? 1 : box.x1 - x);
+            if (options_.rays_of_pixels)
+              (*options_.rays_of_pixels)[number(x, y)] +=
+                  static_cast<float>(tracer.counts().total() - rays);
+            // Of several pixels' centres, the one in whose middle it is.
+            if (sampler.wrong())
+              return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x, y);
+            x += made;
           }
-          rays_ += tracer.counts().total() - before.total();
-          if (options_.checkpoint) keep(strip, box, pass, tile, tracer, before, cut_before);
         }
-        report(pass);
-      });
+        rays_ += tracer.counts().total() - before.total();
+        if (options_.checkpoint) keep(strip, box, pass, tile, tracer, before, cut_before);
+      }
+      report(pass);
     });
   }
 
@@ -382,10 +392,15 @@ std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan c
   Stage stage = compile(scene, plan);
   if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
   std::vector<RenderResult> results;
-  for (auto const& region : regions) {
-    options.region = region;
-    results.push_back(Frame(stage, options, plan::WorkingSpace(scene.settings)).run());
-  }
+  results.resize(regions.size());
+  int const cores = cores_of(options);
+  options.threads = 1; // of each region
+  for_each(0, static_cast<int>(regions.size()), cores, [&](int i) {
+    auto const at = static_cast<std::size_t>(i);
+    auto one = options;
+    one.region = regions[at];
+    results[at] = Frame(stage, one, plan::WorkingSpace(scene.settings)).run();
+  });
   return results;
 }
 

@@ -88,7 +88,9 @@ struct RenderResult {
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options);
 
-/// Parts of it, each as RenderOptions::region would give it, with the scene made ready once.
+/// Parts of it, each as RenderOptions::region would give it, with the scene made ready once; each
+/// on one thread, `threads` at a time.
+/// @pre nothing of the options takes what is made: on_rows, on_progress, rays_of_pixels, checkpoint
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,
                                          RenderOptions options, std::vector<Region> const& regions);
 

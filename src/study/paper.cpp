@@ -58,7 +58,7 @@ struct Timing {
     std::sort(seconds.begin(), seconds.end());
     return seconds[seconds.size() / 2];
   }
-  double rays() const { return static_cast<double>(runs.front().rays); }
+  double rays() const { return static_cast<double>(runs.front().rays.total()); }
 };
 
 class Paper {
@@ -109,10 +109,10 @@ private:
   image::Status render(Figure const& figure) {
     auto const done = run(figure.scene, figure.words, options_.folder / "paper" / figure.file);
     if (!done) return done.error();
-    page_ +=
-        fmt::format("### {}\n![](paper/{})\n\n`abbe render examples/{} {}`: {:.2f} CPU "
-                    "seconds, {} rays.\n\n",
-                    figure.title, figure.file, figure.scene, figure.words, done->cpu_s, done->rays);
+    page_ += fmt::format("### {}\n![](paper/{})\n\n`abbe render examples/{} {}`: {:.2f} CPU "
+                         "seconds, {} rays.\n\n",
+                         figure.title, figure.file, figure.scene, figure.words, done->cpu_s,
+                         done->rays.total());
     return std::monostate{};
   }
 

@@ -114,17 +114,18 @@ std::string split_at_interface(optics::Glass const& glass) {
     Vec2 const direction(std::sin(drawn), std::cos(drawn));
     drawing.line({at, at + 235.0 * direction}, colour_of(nm), 2.5);
     if (i == 0 || i == drawn_bands - 1)
-      drawing.text(at + 250.0 * direction + Vec2(0, 6), fmt::format("{:.0f} nm", nm),
+      drawing.text(at + 255.0 * direction + Vec2(0, 8), fmt::format("{:.0f} nm", nm),
                    Drawing::Anchor::Middle, 12, "#555555");
   }
   double const spread = std::abs(angle(band_centre(0)) - angle(band_centre(drawn_bands - 1)));
   std::string const words[] = {"refracted: split, one ray a band,",
                                "each with its own index and angle",
-                               fmt::format("{} at 60 degrees of incidence;", glass.full_name()),
+                               fmt::format("{},", glass.full_name()),
+                               "60 degrees of incidence;",
                                fmt::format("angles apart drawn {:.0f} times", exaggeration),
                                fmt::format("({:.2f} degrees in all)", spread / degree)};
   for (std::size_t i = 0; i < std::size(words); ++i)
-    drawing.text({540, 290 + 21.0 * static_cast<double>(i)}, words[i]);
+    drawing.text({540, 280 + 21.0 * static_cast<double>(i)}, words[i]);
   return drawing.svg();
 }
 
@@ -169,7 +170,7 @@ private:
 } // namespace
 
 std::string fan_through_prism(optics::Glass const& glass) {
-  Drawing drawing(900, 400);
+  Drawing drawing(900, 320);
   double const n = index_in_range(glass, 550);
   for (int panel = 0; panel < 2; ++panel) {
     double const x0 = 450.0 * panel;

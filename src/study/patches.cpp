@@ -7,13 +7,14 @@
 #include "image/tone_map.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace abbe::study {
 namespace {
 
 constexpr int side = 8;
-constexpr int count = 128;
+constexpr int strip = 16; ///< rows of a picture that is looked at whole
 
 Vec3 lab_of(Vec3 rgb) {
   return image::xyz_to_lab(
@@ -22,14 +23,15 @@ Vec3 lab_of(Vec3 rgb) {
 
 } // namespace
 
-Patches spread_patches(int width, int height) {
+Patches spread_patches(int width, int height, int count) {
   Patches out;
   double const area = static_cast<double>(width) * height;
   int const across = std::max(
       1, static_cast<int>(std::lround(std::sqrt(count * width / static_cast<double>(height)))));
   int const down = std::max(1, count / across);
   if (area <= whole_pixels || width < across * side || height < down * side) {
-    out.regions.push_back({0, 0, width, height});
+    for (int y = 0; y < height; y += strip)
+      out.regions.push_back({0, y, width, std::min(y + strip, height)});
     out.pixels = area;
     return out;
   }
@@ -52,9 +54,11 @@ Patches spread_patches(int width, int height) {
 Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
                      render::RenderOptions const& options, Patches const& patches) {
   Probe probe;
-  double const begin = process_cpu_s();
-  // A pixel more on each side: method 1 compares with neighbours.
-  int const margin = options.anti_aliasing.method == 1 ? 1 : 0;
+  double const cpu_before = process_cpu_s();
+  auto const begin = std::chrono::steady_clock::now();
+  // A pixel more on each side where method 1 compares with neighbours.
+  int const margin =
+      options.anti_aliasing.method == 1 && options.anti_aliasing.threshold > 0 ? 1 : 0;
   std::vector<render::Region> wide;
   for (auto const& r : patches.regions)
     wide.push_back({std::max(0, r.x0 - margin), std::max(0, r.y0 - margin),
@@ -74,14 +78,15 @@ Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
             picture,
             static_cast<std::size_t>((y - wide[i].y0) * picture.width + (x - wide[i].x0))));
   }
+  probe.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   // Of the patches without their margins.
-  probe.cpu_s = (process_cpu_s() - begin) * patches.pixels / std::max(1.0, made);
+  probe.cpu_s = (process_cpu_s() - cpu_before) * patches.pixels / std::max(1.0, made);
   probe.rays = static_cast<std::uint64_t>(static_cast<double>(probe.rays) * patches.pixels
                                           / std::max(1.0, made));
   return probe;
 }
 
-double mean_delta_e(std::vector<Vec3> const& reference, std::vector<Vec3> const& test) {
+double mean_delta_e(std::span<Vec3 const> reference, std::span<Vec3 const> test) {
   double sum = 0;
   for (std::size_t i = 0; i < reference.size(); ++i)
     sum += image::ciede2000(lab_of(reference[i]), lab_of(test[i]));

@@ -3,6 +3,7 @@
 
 #include "render/render.hpp"
 
+#include <span>
 #include <vector>
 
 namespace abbe::study {
@@ -14,19 +15,21 @@ struct Patches {
 };
 /// Pixels of a picture that is looked at whole.
 inline constexpr int whole_pixels = 10000;
+inline constexpr int patch_count = 128;
 /// Squares of 8 pixels, one in each cell of an even grid, somewhere in it (the same each time).
-Patches spread_patches(int width, int height);
+/// @param count about so many; a small picture is one patch whatever it is
+Patches spread_patches(int width, int height, int count = patch_count);
 
 struct Probe {
   std::vector<Vec3> colours; ///< linear sRGB, of all pixels of the patches
   std::uint64_t rays = 0;
-  double cpu_s = 0;
+  double cpu_s = 0, wall_s = 0;
 };
 /// Renders the patches as they are in the whole picture: anti-aliasing sees their neighbours.
 Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
                      render::RenderOptions const& options, Patches const& patches);
 
 /// Mean CIEDE2000 of the colours as displayed. @pre equally many
-double mean_delta_e(std::vector<Vec3> const& reference, std::vector<Vec3> const& test);
+double mean_delta_e(std::span<Vec3 const> reference, std::span<Vec3 const> test);
 
 } // namespace abbe::study

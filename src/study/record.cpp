@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/record.hpp"
 
+#include "study/ray_counts_json.hpp"
+
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
@@ -41,27 +43,8 @@ ordered_json to_json(RunRecord const& run) {
           {"scene_s", run.scene_s},
           {"peak_mib", run.peak_mib},
           {"bands", run.bands},
-          {"rays",
-           {{"camera", run.camera},
-            {"reflected", run.reflected},
-            {"refracted", run.refracted},
-            {"monochromatic", run.monochromatic},
-            {"shadow", run.shadow},
-            {"total", run.rays}}}};
+          {"rays", rays_to_json(run.rays)}};
 }
-
-namespace {
-
-void take_rays(json const& rays, RunRecord& run) {
-  run.camera = rays.at("camera");
-  run.reflected = rays.at("reflected");
-  run.refracted = rays.at("refracted");
-  run.monochromatic = rays.at("monochromatic");
-  run.shadow = rays.at("shadow");
-  run.rays = rays.at("total");
-}
-
-} // namespace
 
 std::optional<RunRecord> read_record(std::filesystem::path const& path, std::string const& identity,
                                      std::vector<std::string> const& words) {
@@ -80,7 +63,7 @@ std::optional<RunRecord> read_record(std::filesystem::path const& path, std::str
     run.scene_s = data.at("scene_s");
     run.peak_mib = data.at("peak_mib");
     run.bands = data.at("bands");
-    take_rays(data.at("rays"), run);
+    run.rays = rays_from_json(data.at("rays"));
     return run;
   } catch (json::exception const&) {
     return std::nullopt; // damaged: it is run again
@@ -95,7 +78,7 @@ bool read_stats(std::filesystem::path const& path, RunRecord& run) {
     run.cpu_s = data.at("render_s").at("cpu");
     run.scene_s = data.at("scene_s").at("cpu");
     run.bands = data.at("bands");
-    take_rays(data.at("rays"), run);
+    run.rays = rays_from_json(data.at("rays"));
     return true;
   } catch (json::exception const&) {
     return false;

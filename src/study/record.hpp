@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.hpp"
+#include "render/tracer.hpp"
 #include "study/child.hpp"
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct RunRecord {
   double scene_s = 0;           ///< processor, to read and plan the scene
   double peak_mib = 0;
   int bands = 0;
-  std::uint64_t camera = 0, reflected = 0, refracted = 0, monochromatic = 0, shadow = 0, rays = 0;
+  render::RayCounts rays; ///< by kind; splits are not kept
 };
 
 nlohmann::ordered_json to_json(RunRecord const& run);

@@ -98,8 +98,9 @@ std::string study_csv(StudyResult const& result, StudyOptions const& options,
                          quoted(result.machine.processor), result.machine.threads);
       out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", quoted(s.setting.name),
                          s.setting.family->name, s.setting.value, s.setting.aa, run.seed, run.cpu_s,
-                         run.wall_s, run.scene_s, run.peak_mib, run.camera, run.reflected,
-                         run.refracted, run.monochromatic, run.shadow, run.rays);
+                         run.wall_s, run.scene_s, run.peak_mib, run.rays.camera, run.rays.reflected,
+                         run.rays.refracted, run.rays.monochromatic, run.rays.shadow,
+                         run.rays.total());
       out += fmt::format("{},{},{},{},{},{},{},{}\n", s.errors.relative_mse, s.errors.delta_e_mean,
                          s.errors.delta_e_p99, s.errors.flip, s.errors.banding,
                          s.spread ? fmt::format("{}", s.spread->noise) : "",

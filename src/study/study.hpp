@@ -36,7 +36,7 @@ struct StudyOptions {
   Selection selection;
   Reference reference;
   double budget_s = 300;
-  int seeds = 4; ///< of stochastic settings
+  int seeds = 2; ///< of stochastic settings
   std::atomic<bool> const* stop = nullptr;
   std::function<void(Progress const&)> on_progress;
 };

@@ -16,25 +16,29 @@ struct Target {
 };
 
 struct Choice {
-  std::optional<int> bands; ///< nothing: the scene is rendered in r g b
-  std::string dispersion;   ///< "", "none", "deterministic" or "stochastic"
+  std::optional<int> bands;   ///< nothing: the scene is rendered in r g b
+  std::string dispersion;     ///< the words of a mode; "": as it was
+  std::string representation; ///< "", or "composite" where lights have lines
   render::AntiAliasing aa;
   double expected_delta_e = 0;
   double expected_s = 0; ///< of the clock
   bool reached = false;  ///< else: the nearest that there is
   int probes = 0;
   double probe_share = 0; ///< of the picture's pixels, that were looked at
-  std::string text;       ///< "stochastic, 16 bands, aa 3 (threshold 0.1)"
+  std::string text;       ///< "hero 4, 16 bands, aa 3 (threshold 0.1)"
 };
 
-/// Chooses mode, number of bands and anti-aliasing by probing the scene: small patches of the
-/// picture at its own size, spread evenly, and all of it when it is small; each setting's patches
-/// are compared with patches of many samples and wavelengths.
+/// Chooses mode, its parameter, number of bands and anti-aliasing by probing the scene: small
+/// patches of the picture at its own size, spread evenly, and all of it when it is small; each
+/// setting's patches are compared with patches of many samples and wavelengths, which are made
+/// until two halves of them agree.
 ///
-/// From the cheapest setting on, of the two next steps (twice the bands, finer anti-aliasing) the
-/// one that lowers the error more for its rays is taken until the target is met; the last step is
-/// then halved until the error is close to the target. For an error costs are rays, so that the
-/// choice is the same on any machine; for a time they are seconds.
+/// For an error, each mode (study/ways_table.cpp) is made finer from its cheapest setting on: of
+/// the next steps (twice the bands, the parameter, anti-aliasing) the one that lowers the error
+/// more for its rays, until the target is met; the last step is then halved until the error is
+/// close to it. Of the modes the one with the fewest rays is taken: the same on any machine. For a
+/// time, each mode's settings are compared by the error that they are expected to have after that
+/// time.
 /// @param overrides of the command line: bands and dispersion given there are kept
 /// @param options size, threads, seed; anti_aliasing is kept with Target::keep_aa
 /// @error as plan::make_plan

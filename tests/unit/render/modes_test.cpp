@@ -19,6 +19,7 @@ scene::Scene bars_behind(optics::GlassPtr glass, scene::DispersionMode const& mo
 struct Scheme {
   std::string name;
   scene::DispersionMode mode;
+  int bands = 8;
 };
 
 class Unbiased : public ::testing::TestWithParam<Scheme> {};
@@ -28,7 +29,7 @@ class Unbiased : public ::testing::TestWithParam<Scheme> {};
 TEST_P(Unbiased, MeanOverSeedsIsTheManyBandPicture) {
   auto options = small();
   auto const reference = picture(bars_behind(n_sf11(), deterministic(), 900), options);
-  auto const scene = bars_behind(n_sf11(), GetParam().mode, 8);
+  auto const scene = bars_behind(n_sf11(), GetParam().mode, GetParam().bands);
   std::size_t const n = reference.rgb.size();
   std::vector<double> sum(n), square(n), early(n);
   int const seeds = 192, few = 12;
@@ -74,6 +75,7 @@ std::vector<Scheme> schemes() {
     return stochastic(Comb{teeth, jitter, width, follow});
   };
   return {{"low_discrepancy", comb(0, Jitter::LowDiscrepancy)},
+          {"four_bands", comb(0, Jitter::LowDiscrepancy), 4},
           {"uniform", comb(0, Jitter::Uniform)},
           {"stratified", comb(0, Jitter::Stratified)},
           {"blue_noise", comb(0, Jitter::BlueNoise)},
@@ -83,6 +85,8 @@ std::vector<Scheme> schemes() {
           {"more_rays", comb(19, Jitter::LowDiscrepancy)},
           {"clusters_degraded", comb(4, Jitter::LowDiscrepancy, Follow::Importance)},
           {"hero", comb(4, Jitter::LowDiscrepancy, Follow::Hero)},
+          {"clusters_of_sixteen", comb(16, Jitter::LowDiscrepancy, Follow::Importance)},
+          {"hero_of_sixteen", comb(16, Jitter::LowDiscrepancy, Follow::Hero)},
           {"hero_blue", comb(6, Jitter::BlueNoise, Follow::Hero)}};
 }
 

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "study/prober.hpp"
+
+#include "base/cpu_time.hpp"
+#include "plan/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace abbe::study {
+namespace {
+
+/// Samples of a half of the reference, round by round; all of them count.
+constexpr std::array reference_depths{4, 6, 8, 11, 16};
+constexpr int reference_bands = 32;
+constexpr int fewest_patches = 16;
+constexpr int reference_rays_a_split = 4;
+/// Patches that tell how long all of the picture takes.
+constexpr int calibration_patches = 400;
+
+int samples_of(int depth) {
+  return depth * depth + 1;
+}
+
+class Clock {
+public:
+  double s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+Prober::Prober(scene::Scene const& scene, plan::Overrides const& overrides,
+               render::RenderOptions const& options, bool keep_aa)
+    : scene_(scene), overrides_(overrides), options_(options), keep_aa_(keep_aa) {
+  options_.on_progress = nullptr;
+  options_.on_rows = nullptr;
+  options_.checkpoint = nullptr;
+  options_.rays_of_pixels = nullptr;
+  options_.spectral_output = false;
+  threads_ = options_.threads > 0
+                 ? options_.threads
+                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  set_patches(patch_count);
+}
+
+void Prober::set_patches(int count) {
+  patches_ = spread_patches(options_.width, options_.height, count);
+  // Every fourth goes first.
+  std::vector<render::Region> ordered;
+  for (std::size_t first : {0, 2, 1, 3})
+    for (std::size_t i = first; i < patches_.regions.size(); i += 4)
+      ordered.push_back(patches_.regions[i]);
+  patches_.regions = std::move(ordered);
+  some_ = patches_;
+  if (patches_.regions.size() < fewest_patches) return;
+  some_.regions.resize(patches_.regions.size() / 4);
+  some_.pixels = 0;
+  for (auto const& r : some_.regions) some_.pixels += (r.x1 - r.x0) * (r.y1 - r.y0);
+}
+
+std::optional<Error> Prober::plan() {
+  auto const made = plan::make_plan(scene_, overrides_);
+  if (!made) return made.error();
+  spectral_ = made->spectral.has_value();
+  disperses_ = made->has(plan::Effect::Dispersion) || made->has(plan::Effect::StochasticDispersion);
+  if (spectral_) {
+    auto const& bands = made->spectral->bands;
+    given_bands_ = bands.count();
+    range_nm_ = bands.hi_nm() - bands.lo_nm();
+    auto const kind = scene_.settings.spectral.representation.kind;
+    using Kind = scene::Representation::Kind;
+    bool const free =
+        !overrides_.representation && (kind == Kind::Bands || kind == Kind::Composite);
+    composite_ = free && !plan::find_lines_nm(scene_, bands).empty();
+  }
+  double const before = process_cpu_s();
+  render::render_regions(scene_, *made, options_, {});
+  prepare_s_ = process_cpu_s() - before;
+  return std::nullopt;
+}
+
+plan::Overrides Prober::overrides_of(Place const& place) const {
+  auto overrides = overrides_;
+  if (place.bands > 0) overrides.bands = place.bands;
+  if (composite_) {
+    overrides.representation.emplace();
+    overrides.representation->kind = scene::Representation::Kind::Composite;
+  }
+  if (place.way->mode) overrides.dispersion = place.way->mode(place.way->steps[place.step]);
+  return overrides;
+}
+
+render::AntiAliasing Prober::aa_of(Place const& place) const {
+  auto aa = options_.anti_aliasing;
+  if (keep_aa_) return aa;
+  aa.method = place.aa.depth > 0 ? 1 : 0;
+  if (place.aa.depth > 0) {
+    aa.depth = place.aa.depth;
+    aa.threshold = place.aa.threshold;
+    aa.jitter = 1; // thin lines fall through a grid
+  }
+  return aa;
+}
+
+Probe Prober::probe(plan::Overrides const& overrides, render::AntiAliasing const& aa,
+                    std::uint64_t seed, Patches const& patches) {
+  auto const plan = plan::make_plan(scene_, overrides);
+  if (!plan) return {};
+  auto options = options_;
+  options.anti_aliasing = aa;
+  options.seed = seed;
+  double const before = process_cpu_s();
+  auto made = render_patches(scene_, *plan, options, patches);
+  double const used_s = (process_cpu_s() - before) / threads_;
+  if (made.wall_s > longest_s_ && used_s > 0) {
+    longest_s_ = made.wall_s;
+    load_ = std::max(1.0, made.wall_s / used_s);
+  }
+  return made;
+}
+
+void Prober::fit_patches(double seconds) {
+  Place cheapest{&ways().front(), 0, 0, {}};
+  if (!disperses_) cheapest.way = &way_of_the_scene();
+  auto const made = probe(overrides_of(cheapest), {}, options_.seed, patches_);
+  double const first = 2 * samples_of(reference_depths.front()) * (disperses_ ? 3 : 1)
+                       * std::max(0.0, made.cpu_s - prepare_s_) / threads_;
+  if (first <= seconds) return;
+  set_patches(std::max(fewest_patches, static_cast<int>(patch_count * seconds / first)));
+}
+
+void Prober::make_reference(double noise, double seconds) {
+  auto overrides = overrides_;
+  if (composite_) overrides = overrides_of({&way_of_the_scene(), 0, 0, {}});
+  if (spectral_ && !overrides.bands)
+    overrides.bands = composite_ ? static_cast<int>(std::ceil(range_nm_))
+                                 : std::max(reference_bands, given_bands_);
+  if (disperses_ && !overrides_.dispersion) {
+    auto& mode = overrides.dispersion.emplace();
+    mode.kind = scene::DispersionMode::Kind::Stochastic; // what all but `none` converge to
+    mode.comb.teeth = reference_rays_a_split;
+  } else if (disperses_ && overrides_.dispersion->kind != scene::DispersionMode::Kind::None) {
+    overrides.dispersion->kind = scene::DispersionMode::Kind::Stochastic;
+    overrides.dispersion->comb = {};
+    overrides.dispersion->comb.teeth = reference_rays_a_split;
+  }
+  render::AntiAliasing aa;
+  aa.method = 1;
+  aa.threshold = 0;
+  aa.jitter = 1;
+  Clock const clock;
+  std::vector<Vec3> halves[2];
+  int samples = 0;
+  double a_sample_s = 0;
+  for (std::size_t round = 0; round < reference_depths.size(); ++round) {
+    aa.depth = reference_depths[round];
+    int const more = samples_of(aa.depth);
+    if (seconds > 0 && clock.s() + a_sample_s * more > seconds && round > 0) break;
+    for (std::uint64_t half = 0; half < 2; ++half) {
+      auto const made = probe(overrides, aa, options_.seed + 1 + 2 * round + half, patches_);
+      if (made.colours.empty()) return; // stopped
+      auto& sum = halves[half];
+      sum.resize(made.colours.size(), Vec3(0));
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += (made.colours[i] - sum[i]) * (double(more) / (samples + more));
+      reference_rays_ += static_cast<double>(made.rays) * scale(patches_);
+    }
+    samples += more;
+    a_sample_s = clock.s() / samples;
+    reference_.resize(halves[0].size());
+    for (std::size_t i = 0; i < reference_.size(); ++i)
+      reference_[i] = (halves[0][i] + halves[1][i]) * 0.5;
+    // The halves' errors are alike and independent: their mean is off by half of their difference.
+    noise_ = 0.5 * mean_delta_e(halves[0], halves[1]);
+    if (noise_ <= noise) break;
+  }
+}
+
+/// Making the scene ready is done once, on one thread.
+double Prober::seconds_of(Probe const& made, Patches const& patches) const {
+  return prepare_s_ + std::max(0.0, made.cpu_s - prepare_s_) * scale(patches) / threads_;
+}
+
+Seen Prober::look(Place const& place, Patches const& patches) {
+  auto const made = probe(overrides_of(place), aa_of(place), options_.seed, patches);
+  double const scale_up = scale(patches);
+  Seen seen{std::numeric_limits<double>::infinity(), static_cast<double>(made.rays) * scale_up,
+            seconds_of(made, patches)};
+  if (made.colours.empty() || made.colours.size() > reference_.size()) return seen;
+  double const off = mean_delta_e(std::span(reference_).first(made.colours.size()), made.colours);
+  // Independent errors add in squares: the reference's own is taken off.
+  seen.delta_e = std::sqrt(std::max(0.0, off * off - noise_ * noise_));
+  return seen;
+}
+
+Seen const& Prober::see(Place const& place) {
+  auto const known = seen_.find(place);
+  return known != seen_.end() ? known->second
+                              : seen_.emplace(place, look(place, some_)).first->second;
+}
+
+Seen const& Prober::see_all(Place const& place) {
+  if (some_.regions.size() == patches_.regions.size()) return see(place);
+  auto const known = seen_all_.find(place);
+  return known != seen_all_.end() ? known->second
+                                  : seen_all_.emplace(place, look(place, patches_)).first->second;
+}
+
+double Prober::calibrate(Place place) {
+  place.aa = {0, 0};
+  double const few_s = see(place).seconds;
+  auto const many =
+      look(place, spread_patches(options_.width, options_.height, calibration_patches));
+  return few_s > 0 ? many.seconds / few_s : 1;
+}
+
+Seen Prober::reckon(Place const& place, int depth) {
+  auto at = place;
+  at.aa = {0, 0};
+  auto const off = see(at);
+  at.aa = {2, place.aa.threshold};
+  auto const coarse = see(at);
+  at.aa.depth = deepest_probe;
+  auto const fine = see(at);
+  double const ratio = static_cast<double>(depth * depth) / (deepest_probe * deepest_probe);
+  // Of the error's square, what falls with the number of samples, and what does not.
+  double const a = 1.0 / samples_of(2), b = 1.0 / samples_of(deepest_probe);
+  double const falls =
+      std::max(0.0, (coarse.delta_e * coarse.delta_e - fine.delta_e * fine.delta_e) / (a - b));
+  double const stays = std::max(0.0, fine.delta_e * fine.delta_e - falls * b);
+  return Seen{std::sqrt(stays + falls / samples_of(depth)),
+              off.rays + (fine.rays - off.rays) * ratio,
+              off.seconds + (fine.seconds - off.seconds) * ratio};
+}
+
+} // namespace abbe::study
