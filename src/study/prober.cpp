@@ -82,9 +82,20 @@ std::optional<Error> Prober::plan() {
         !overrides_.representation && (kind == Kind::Bands || kind == Kind::Composite);
     composite_ = free && !plan::find_lines_nm(scene_, bands).empty();
   }
-  double const before = process_cpu_s();
-  render::render_regions(scene_, *made, options_, {});
-  prepare_s_ = process_cpu_s() - before;
+  // What is no work on pixels: of the scene, and of each patch.
+  auto const cpu_s = [&](std::vector<render::Region> const& regions) {
+    double const before = process_cpu_s();
+    render::render_regions(scene_, *made, options_, regions);
+    return process_cpu_s() - before;
+  };
+  auto points = patches_.regions;
+  for (auto& r : points) {
+    r.x1 = r.x0 + 1;
+    r.y1 = r.y0 + 1;
+  }
+  cpu_s(points); // the first time, tables are made
+  prepare_s_ = cpu_s({});
+  a_patch_s_ = std::max(0.0, cpu_s(points) - prepare_s_) / static_cast<double>(points.size());
   return std::nullopt;
 }
 
@@ -187,7 +198,8 @@ void Prober::make_reference(double noise, double seconds) {
 
 /// Making the scene ready is done once, on one thread.
 double Prober::seconds_of(Probe const& made, Patches const& patches) const {
-  return prepare_s_ + std::max(0.0, made.cpu_s - prepare_s_) * scale(patches) / threads_;
+  double const around = prepare_s_ + a_patch_s_ * static_cast<double>(patches.regions.size());
+  return prepare_s_ + std::max(0.0, made.cpu_s - around) * scale(patches) / threads_;
 }
 
 Seen Prober::look(Place const& place, Patches const& patches) {
