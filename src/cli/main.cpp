@@ -12,6 +12,14 @@
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 
+#if defined(__SANITIZE_ADDRESS__) // gcc
+#define ABBE_WITH_ADDRESS_SANITIZER 1
+#elif defined(__has_feature) // clang
+#define ABBE_WITH_ADDRESS_SANITIZER __has_feature(address_sanitizer)
+#else
+#define ABBE_WITH_ADDRESS_SANITIZER 0
+#endif
+
 namespace {
 
 struct Command {
@@ -75,7 +83,7 @@ int output_failed() {
 /// What does not fit in memory and swap would be killed without a word: a failed allocation can be
 /// reported with its place.
 void limit_memory() {
-#if !defined(__SANITIZE_ADDRESS__) // which reserves far more than it uses
+#if !ABBE_WITH_ADDRESS_SANITIZER // which reserves far more than it uses
   struct sysinfo machine {};
   if (sysinfo(&machine) != 0) return;
   rlim_t const bytes = (rlim_t{machine.totalram} + machine.totalswap) * machine.mem_unit;
