@@ -163,6 +163,15 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
   return 2;
 }
 
+/// Subdivision makes 4^depth cells of a pixel.
+int check_anti_aliasing(render::AntiAliasing const& aa) {
+  constexpr int deepest = 9;
+  if (aa.method != 2 || aa.depth <= deepest) return 0;
+  fmt::print(stderr, "abbe render: --aa {} is too deep for --aa-method 2; the most is {}\n",
+             aa.depth, deepest);
+  return 2;
+}
+
 image::ImageHead head_of(Arguments const& arguments, plan::Plan const& plan) {
   image::ImageHead head;
   auto const& options = arguments.options;
@@ -320,6 +329,7 @@ int render_scene(Arguments& arguments) {
   if (int const bad =
           check_region(arguments.options.region, arguments.scene.width, arguments.scene.height))
     return bad;
+  if (int const bad = check_anti_aliasing(arguments.options.anti_aliasing)) return bad;
 
   Stopwatch const all;
   int status = 0;

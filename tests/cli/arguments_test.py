@@ -13,6 +13,10 @@ class Help(CliTest):
         for command in COMMANDS:
             self.assertIn(f'  {command} ', text)
 
+    def test_subdivision_has_a_depth_of_nine_at_most(self):
+        done = self.run_abbe('render', 'any.scn', '--aa', 10, '--aa-method', 2, status=2)
+        self.assertEqual(done.stderr, 'abbe render: --aa 10 is too deep for --aa-method 2; the most is 9\n')
+
     def test_version(self):
         self.assertRegex(self.run_abbe('--version').stdout, r'^abbe \d+\.\d+\.\d+\n$')
 
