@@ -392,20 +392,12 @@ std::optional<PlacedShape> make_lathe(SplineKind kind, std::vector<Vec2> const& 
 }
 
 std::optional<PlacedShape> read_lathe(Parameters& parameters) {
-  SplineKind kind = SplineKind::Linear;
-  int least = 2;
-  if (parameters.accept("quadratic_spline")) {
-    kind = SplineKind::Quadratic;
-    least = 3;
-  } else if (parameters.accept("cubic_spline")) {
-    kind = SplineKind::Cubic;
-    least = 4;
-  } else if (parameters.accept("bezier_spline")) {
-    kind = SplineKind::Bezier;
-    least = 4;
-  } else {
-    (void)parameters.accept("linear_spline");
-  }
+  static constexpr SplineWord words[] = {{"linear_spline", SplineKind::Linear, 2},
+                                         {"quadratic_spline", SplineKind::Quadratic, 3},
+                                         {"cubic_spline", SplineKind::Cubic, 4},
+                                         {"bezier_spline", SplineKind::Bezier, 4}};
+  SplineWord const* const named = accept_spline(parameters, words);
+  auto const [word, kind, least] = named != nullptr ? *named : words[0];
   auto const points = read_points(parameters, least);
   if (!points) return std::nullopt;
   (void)parameters.flag("sturm");

@@ -320,19 +320,15 @@ std::optional<PlacedShape> make_sphere_sweep(SplineKind kind,
 }
 
 std::optional<PlacedShape> read_sphere_sweep(Parameters& parameters) {
-  SplineKind kind = SplineKind::Linear;
-  int least = 2;
-  if (parameters.accept("cubic_spline")) {
-    kind = SplineKind::Cubic;
-    least = 4;
-  } else if (parameters.accept("b_spline")) {
-    kind = SplineKind::BSpline;
-    least = 4;
-  } else if (!parameters.accept("linear_spline")) {
+  static constexpr SplineWord words[] = {{"linear_spline", SplineKind::Linear, 2},
+                                         {"cubic_spline", SplineKind::Cubic, 4},
+                                         {"b_spline", SplineKind::BSpline, 4}};
+  SplineWord const* const named = accept_spline(parameters, words);
+  if (named == nullptr)
     parameters.report(Severity::Error, "E0625",
                       "a sphere_sweep begins with linear_spline, cubic_spline or b_spline",
                       parameters.next_span());
-  }
+  auto const [word, kind, least] = named != nullptr ? *named : words[0];
   int const count = parameters.integer("number of spheres", least, 1 << 24);
   std::vector<std::array<double, 4>> points;
   for (int i = 0; i < count; ++i) {

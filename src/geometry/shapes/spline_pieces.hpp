@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/parameters.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +13,20 @@ namespace abbe::geometry {
 
 /// How points become a curve of cubic pieces.
 enum class SplineKind { Linear, Quadratic, Cubic, Bezier, BSpline };
+
+/// How a scene names a kind, and how many points it needs.
+struct SplineWord {
+  char const* word;
+  SplineKind kind;
+  int least_points;
+};
+/// The one of the words that is next, which is taken; null when none is.
+template <std::size_t N>
+SplineWord const* accept_spline(Parameters& parameters, SplineWord const (&words)[N]) {
+  for (SplineWord const& candidate : words)
+    if (parameters.accept(candidate.word)) return &candidate;
+  return nullptr;
+}
 
 /// c0 + c1 u + c2 u^2 + c3 u^3 for u in [0, 1]; neighbours have the same bits at their joint.
 template <std::size_t D>
