@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/stopwatch.hpp"
 #include "cli/bad_sample_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/identity.hpp"

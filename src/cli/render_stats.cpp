@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_stats.hpp"
 
-#include "base/cpu_time.hpp"
 #include "image/atomic_file.hpp"
 #include "image/io.hpp"
 #include "study/ray_counts_json.hpp"
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 namespace abbe::cli {
-namespace {
-
-double wall_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-} // namespace
-
-Stopwatch::Stopwatch() : wall_(wall_now()), cpu_(process_cpu_s()) {}
-
-double Stopwatch::wall_s() const {
-  return wall_now() - wall_;
-}
-
-double Stopwatch::cpu_s() const {
-  return process_cpu_s() - cpu_;
-}
 
 image::Status write_stats(std::string const& path, RenderStats const& stats, plan::Plan const& plan,
                           render::RenderOptions const& options,

@@ -10,17 +10,6 @@
 
 namespace abbe::cli {
 
-/// Time of the clock and of the processor (all threads, user and system) since it was made.
-class Stopwatch {
-public:
-  Stopwatch();
-  double wall_s() const;
-  double cpu_s() const;
-
-private:
-  double wall_ = 0, cpu_ = 0;
-};
-
 /// What `abbe render --stats FILE` tells.
 struct RenderStats {
   std::string scene;

@@ -38,7 +38,7 @@ void read_representation(Reader& in, scene::Representation& out) {
     out.kind = Kind::Composite;
   } else if (in.accept("basis")) {
     out.kind = Kind::Basis;
-    out.size = in.integer("size of the basis", 1, 64);
+    out.size = in.integer("size of the basis", 1, 1000);
   } else if (in.accept("adaptive")) {
     out.kind = Kind::Adaptive;
     if (!in.accept("tolerance")) return;

@@ -129,7 +129,7 @@ Result<Plan> make_plan(scene::Scene const& scene, Overrides const& overrides) {
     if (!bands) return bands.error();
     auto channels = make_channels(
         scene, overrides.representation.value_or(scene.settings.spectral.representation), *bands,
-        plan.has(Effect::StochasticDispersion));
+        plan.has(Effect::Dispersion), plan.has(Effect::StochasticDispersion));
     if (!channels) return channels.error();
     if (overrides.spectral && channels->is_basis())
       return Error{"E0432", "--spectral writes bands, and a basis has none"};

@@ -131,7 +131,7 @@ private:
 
 Result<optics::ChannelSet> make_channels(scene::Scene const& scene,
                                          scene::Representation const& representation,
-                                         optics::Bands const& bands, bool draws) {
+                                         optics::Bands const& bands, bool disperses, bool draws) {
   using Kind = scene::Representation::Kind;
   switch (representation.kind) {
   case Kind::Bands:
@@ -149,7 +149,8 @@ Result<optics::ChannelSet> make_channels(scene::Scene const& scene,
                    "a basis has no bands to draw wavelengths in: it goes with dispersion { none }, "
                    "deterministic or adaptive"};
     auto const grid = grid_over(bands);
-    return optics::choose_basis(grid, find_palette(scene, grid).products(), representation.size);
+    return optics::choose_basis(grid, find_palette(scene, grid).products(), representation.size,
+                                disperses);
   }
   }
   return optics::ChannelSet{bands, {}, {}, {}};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study/child.hpp"
 
+#include "base/stopwatch.hpp"
+
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
@@ -20,10 +21,6 @@ namespace {
 constexpr std::size_t kept_bytes = 4096;
 /// A child that was asked to end and does not is killed after this.
 constexpr double patience_s = 5;
-
-double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double seconds(timeval const& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
@@ -64,7 +61,7 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
   ChildResult result;
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) return result;
-  double const begin = now_s();
+  Stopwatch const since;
   pid_t const child = start(program, words, pipe_ends[1]);
   close(pipe_ends[1]);
   if (child < 0) {
@@ -79,8 +76,8 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
     if (open) open = read_some(pipe_ends[0], result.messages);
     pid_t const ended = wait4(child, &status, open ? WNOHANG : 0, &usage);
     if (ended == child || (ended < 0 && errno != EINTR)) break;
-    double const now = now_s();
-    bool const late = limit_s > 0 && now - begin > limit_s;
+    double const now = since.wall_s();
+    bool const late = limit_s > 0 && now > limit_s;
     bool const stopped = stop && stop->load();
     if (asked == 0 && (late || stopped)) {
       result.end = stopped ? ChildResult::End::Stopped : ChildResult::End::TimedOut;
@@ -95,7 +92,7 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
     open = read_some(pipe_ends[0], result.messages) && result.messages.size() != before;
   }
   close(pipe_ends[0]);
-  result.wall_s = now_s() - begin;
+  result.wall_s = since.wall_s();
   result.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   result.peak_mib = static_cast<double>(usage.ru_maxrss) / 1024;
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

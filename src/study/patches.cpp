@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "study/patches.hpp"
 
-#include "base/cpu_time.hpp"
 #include "base/random.hpp"
+#include "base/stopwatch.hpp"
 #include "image/colour.hpp"
 #include "image/tone_map.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace abbe::study {
@@ -54,8 +53,7 @@ Patches spread_patches(int width, int height, int count) {
 Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
                      render::RenderOptions const& options, Patches const& patches) {
   Probe probe;
-  double const cpu_before = process_cpu_s();
-  auto const begin = std::chrono::steady_clock::now();
+  Stopwatch const since;
   // A pixel more on each side where method 1 compares with neighbours.
   int const margin =
       options.anti_aliasing.method == 1 && options.anti_aliasing.threshold > 0 ? 1 : 0;
@@ -78,9 +76,9 @@ Probe render_patches(scene::Scene const& scene, plan::Plan const& plan,
             picture,
             static_cast<std::size_t>((y - wide[i].y0) * picture.width + (x - wide[i].x0))));
   }
-  probe.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  probe.wall_s = since.wall_s();
   // Of the patches without their margins.
-  probe.cpu_s = (process_cpu_s() - cpu_before) * patches.pixels / std::max(1.0, made);
+  probe.cpu_s = since.cpu_s() * patches.pixels / std::max(1.0, made);
   probe.rays = static_cast<std::uint64_t>(static_cast<double>(probe.rays) * patches.pixels
                                           / std::max(1.0, made));
   return probe;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "study/prober.hpp"
 
-#include "base/cpu_time.hpp"
+#include "base/stopwatch.hpp"
 #include "plan/palette.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -25,16 +24,6 @@ constexpr int calibration_patches = 400;
 int samples_of(int depth) {
   return depth * depth + 1;
 }
-
-class Clock {
-public:
-  double s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 } // namespace
 
@@ -84,9 +73,9 @@ std::optional<Error> Prober::plan() {
   }
   // What is no work on pixels: of the scene, and of each patch.
   auto const cpu_s = [&](std::vector<render::Region> const& regions) {
-    double const before = process_cpu_s();
+    Stopwatch const since;
     render::render_regions(scene_, *made, options_, regions);
-    return process_cpu_s() - before;
+    return since.cpu_s();
   };
   auto points = patches_.regions;
   for (auto& r : points) {
@@ -129,9 +118,9 @@ Probe Prober::probe(plan::Overrides const& overrides, render::AntiAliasing const
   auto options = options_;
   options.anti_aliasing = aa;
   options.seed = seed;
-  double const before = process_cpu_s();
+  Stopwatch const since;
   auto made = render_patches(scene_, *plan, options, patches);
-  double const used_s = (process_cpu_s() - before) / threads_;
+  double const used_s = since.cpu_s() / threads_;
   if (made.wall_s > longest_s_ && used_s > 0) {
     longest_s_ = made.wall_s;
     load_ = std::max(1.0, made.wall_s / used_s);
@@ -168,14 +157,14 @@ void Prober::make_reference(double noise, double seconds) {
   aa.method = 1;
   aa.threshold = 0;
   aa.jitter = 1;
-  Clock const clock;
+  Stopwatch const since;
   std::vector<Vec3> halves[2];
   int samples = 0;
   double a_sample_s = 0;
   for (std::size_t round = 0; round < reference_depths.size(); ++round) {
     aa.depth = reference_depths[round];
     int const more = samples_of(aa.depth);
-    if (seconds > 0 && clock.s() + a_sample_s * more > seconds && round > 0) break;
+    if (seconds > 0 && since.wall_s() + a_sample_s * more > seconds && round > 0) break;
     for (std::uint64_t half = 0; half < 2; ++half) {
       auto const made = probe(overrides, aa, options_.seed + 1 + 2 * round + half, patches_);
       if (made.colours.empty()) return; // stopped
@@ -186,7 +175,7 @@ void Prober::make_reference(double noise, double seconds) {
       reference_rays_ += static_cast<double>(made.rays) * scale(patches_);
     }
     samples += more;
-    a_sample_s = clock.s() / samples;
+    a_sample_s = since.wall_s() / samples;
     reference_.resize(halves[0].size());
     for (std::size_t i = 0; i < reference_.size(); ++i)
       reference_[i] = (halves[0][i] + halves[1][i]) * 0.5;

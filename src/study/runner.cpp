@@ -25,10 +25,6 @@ std::string file_name(std::string const& name) {
 
 Runner::Runner(StudyOptions const& options) : options_(options) {}
 
-double Runner::elapsed_s() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
-
 fs::path Runner::picture(Unit const& unit) const {
   return options_.folder / "runs" / fmt::format("{}.s{}.exr", unit.name, unit.seed);
 }

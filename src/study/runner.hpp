@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/stopwatch.hpp"
 #include "study/study.hpp"
-
-#include <chrono>
 
 namespace abbe::study {
 
@@ -22,7 +21,7 @@ public:
   explicit Runner(StudyOptions const& options);
 
   /// Since the study began.
-  double elapsed_s() const;
+  double elapsed_s() const { return since_.wall_s(); }
   /// For runs; a tenth of the budget is for measuring and writing.
   double left_s() const { return 0.9 * options_.budget_s - elapsed_s(); }
   bool stopped() const { return options_.stop && options_.stop->load(); }
@@ -37,7 +36,7 @@ public:
 private:
   std::vector<std::string> all_words(Unit const& unit) const;
   StudyOptions const& options_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Stopwatch since_;
 };
 
 /// A name for files: letters, digits and hyphens.

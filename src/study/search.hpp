@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/stopwatch.hpp"
 #include "study/prober.hpp"
 #include "study/target.hpp"
 
 #include <atomic>
-#include <chrono>
 
 namespace abbe::study {
 
@@ -17,11 +17,9 @@ struct Question {
   Target target;
   bool bands_given = false, mode_given = false;
   std::atomic<bool> const* stop = nullptr;
-  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  Stopwatch since{};
 
-  double elapsed_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
+  double elapsed_s() const { return since.wall_s(); }
   bool stopped() const { return stop && stop->load(); }
   /// The modes that may be chosen.
   std::vector<Way const*> open_ways() const;

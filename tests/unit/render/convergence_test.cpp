@@ -22,7 +22,6 @@ struct Scheme {
   double most;   ///< of the coarse setting's error, that the fine one may have
   int seeds = 1; ///< whose mean square error it is
   bool lamp = false;
-  /// A basis is for colours: through a prism its few wavelengths are few (docs/dispersion.md).
   bool disperses = true;
 };
 
@@ -112,32 +111,44 @@ std::vector<Scheme> schemes() {
     bands(scene, n);
     scene.settings.spectral.spacing = Spectral::Spacing::Hall;
   };
+  auto const basis = representation(Representation::Kind::Basis, [](Spectral& s, double k) {
+    s.representation.size = static_cast<int>(k);
+  });
   // Four times as fine: a third of the error, where theory has a quarter (bands and their like).
   // Noise of M jittered rays falls as 1/M where fringes are wide, as 1/sqrt(M) at the worst.
-  return {
-      {"Bands", bands, 4, 16, 0.4},
-      {"Hall", hall, 4, 16, 0.4},
-      {"Adaptive", mode([](double px) { return adaptive(px); }), 2, 0.125, 0.4},
-      {"Stochastic", of_bands(stochastic()), 4, 16, 0.5, 6},
-      {"Triangular", of_bands(triangular()), 4, 16, 0.5, 6},
-      {"FanoutTwo", of_bands(faithful()), 4, 16, 0.5, 6},
-      {"Rays", mode([&](double m) { return comb(m, Follow::Every); }), 2, 8, 0.55, 6},
-      {"Composite",
-       representation(Representation::Kind::Composite,
-                      [](Spectral& s, double n) { s.bands = static_cast<int>(n); }),
-       4, 32, 0.4, 1, true},
-      {"Basis",
-       representation(Representation::Kind::Basis,
-                      [](Spectral& s, double k) { s.representation.size = static_cast<int>(k); }),
-       1, 4, 0.3, 1, false, false},
-      {"Subdivided",
-       representation(Representation::Kind::Adaptive,
-                      [](Spectral& s, double t) { s.representation.tolerance = t; }),
-       4, 0.1, 0.5}};
+  return {{"Bands", bands, 4, 16, 0.4},
+          {"Hall", hall, 4, 16, 0.4},
+          {"Adaptive", mode([](double px) { return adaptive(px); }), 2, 0.125, 0.4},
+          {"Stochastic", of_bands(stochastic()), 4, 16, 0.5, 6},
+          {"Triangular", of_bands(triangular()), 4, 16, 0.5, 6},
+          {"FanoutTwo", of_bands(faithful()), 4, 16, 0.5, 6},
+          {"Rays", mode([&](double m) { return comb(m, Follow::Every); }), 2, 8, 0.55, 6},
+          {"Composite",
+           representation(Representation::Kind::Composite,
+                          [](Spectral& s, double n) { s.bands = static_cast<int>(n); }),
+           4, 32, 0.4, 1, true},
+          {"Basis", basis, 4, 16, 0.4},
+          {"BasisWithoutDispersion", basis, 1, 4, 0.3, 1, false, false},
+          {"Subdivided",
+           representation(Representation::Kind::Adaptive,
+                          [](Spectral& s, double t) { s.representation.tolerance = t; }),
+           4, 0.1, 0.5}};
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Converges, ::testing::ValuesIn(schemes()),
                          [](auto const& instance) { return instance.param.name; });
+
+/// As many channels as its grid has bands (of 2 nm): those bands, whatever disperses.
+TEST(Basis, OfAllBandsIsTheBands) {
+  auto scene = fringes(false);
+  scene.settings.spectral.bands = 200;
+  auto const all = picture(scene, small());
+  scene.settings.spectral.representation.kind = Representation::Kind::Basis;
+  scene.settings.spectral.representation.size = 200;
+  auto const basis = picture(scene, small());
+  // Floats of the picture; the weights agree to 1e-12 (tests/unit/optics/basis_test.cpp).
+  for (std::size_t i = 0; i < all.rgb.size(); ++i) EXPECT_NEAR(basis.rgb[i], all.rgb[i], 1e-6);
+}
 
 /// Peaks of a measured lamp are put where they are, and not over a band: with as many bands, the
 /// error is less than half of what it is without.
