@@ -90,7 +90,8 @@ TEST(Basis, OfAllBandsIsTheBandsWhereLightIsParted) {
   ASSERT_EQ(basis.count(), 200);
   for (int b = 0; b < 200; ++b)
     EXPECT_LT(glm::length(basis.rgb_weight(b) - grid.rgb_weight(b)), 1e-12) << b;
-  EXPECT_EQ(choose_basis(grid, family, 200, false).count(), 3); // a x + a^2 x^2 + a sin: no more than two, and white
+  EXPECT_EQ(choose_basis(grid, family, 200, false).count(),
+            3); // a x + a^2 x^2 + a sin: no more than two, and white
 }
 
 /// A part of white below an edge anywhere: half the error for twice the channels, on the mean over
