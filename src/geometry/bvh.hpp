@@ -21,9 +21,14 @@ struct BvhNode {
 
 /// What a hierarchy is built from. Finite, not empty.
 struct BvhBox {
-  Vec3 low, high;
+  BvhBox(Vec3 const& low, Vec3 const& high, std::uint32_t number)
+      : side{low.x, low.y, low.z, -high.x, -high.y, -high.z}, item(number) {}
+  /// The low corner and the negated high one: what grows a box is six times the same minimum, which
+  /// compilers make three vector operations of.
+  double side[6];
   std::uint32_t item;
-  Vec3 centre() const { return low * 0.5 + high * 0.5; }
+  double centre(int axis) const { return side[axis] * 0.5 - side[axis + 3] * 0.5; }
+  Vec3 centre() const { return {centre(0), centre(1), centre(2)}; }
 };
 
 class Bvh {
