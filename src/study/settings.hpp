@@ -20,6 +20,8 @@ struct Family {
   /// {} is the value.
   std::string_view words;
   bool stochastic = false; ///< seeds make different pictures
+  /// Channels for lines are all that it has beyond `deterministic`.
+  bool for_lines = false;
 };
 
 std::span<Family const> families();

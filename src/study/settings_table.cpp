@@ -7,7 +7,7 @@
 namespace abbe::study {
 namespace {
 
-// name, label, parameter, values (empty: --bands), words, stochastic
+// name, label, parameter, values (empty: --bands), words, stochastic, for lines
 constexpr std::array table{
     Family{"none", "no dispersion", "bands", "", "--dispersion none --bands {}"},
     Family{"deterministic", "one ray at the middle of each band", "bands", "",
@@ -16,8 +16,8 @@ constexpr std::array table{
            "--dispersion stochastic --bands {}", true},
     Family{"faithful", "jitter over two bands, fan-out 2 (as published)", "bands", "",
            "--dispersion faithful --bands {}", true},
-    Family{"adaptive", "bands go together while they land within T pixels; 64 bands", "pixels",
-           "4 1 0.5 0.25", "--dispersion 'adaptive tolerance {}' --bands 64"},
+    Family{"adaptive", "bands go together while they land within T pixels; 32 bands", "pixels",
+           "4 1 0.25", "--dispersion 'adaptive tolerance {}' --bands 32"},
     Family{"rays", "stochastic, M rays a split; 16 bands", "rays", "1 2 4 8",
            "--dispersion 'stochastic rays {}' --bands 16", true},
     Family{"clusters", "one of a cluster of N wavelengths goes on (degrade); 16 bands",
@@ -35,8 +35,8 @@ constexpr std::array table{
     Family{"hall", "deterministic, bands spaced after Hall", "bands", "",
            "--dispersion deterministic --spacing hall --bands {}"},
     Family{"composite", "deterministic, emission lines apart from the bands", "bands", "",
-           "--dispersion deterministic --representation composite --bands {}"},
-    Family{"basis", "deterministic, K wavelengths fitted to the scene's colours", "size", "4 8 16",
+           "--dispersion deterministic --representation composite --bands {}", false, true},
+    Family{"basis", "deterministic, K wavelengths fitted to the scene's colours", "size", "4 8 16 32",
            "--dispersion deterministic --representation 'basis {}'"},
     Family{"subdivided", "deterministic, bands halved until colours are within T", "CIEDE2000",
            "4 1 0.25", "--dispersion deterministic --representation 'adaptive tolerance {}'"},

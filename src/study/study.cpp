@@ -10,6 +10,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <tbb/parallel_for_each.h>
 
 namespace abbe::study {
 namespace fs = std::filesystem;
@@ -17,7 +18,7 @@ namespace {
 
 /// Deterministic settings are run so often, for the least time, while a run is shorter than this.
 constexpr int repeats = 3;
-constexpr double short_run_s = 3;
+constexpr double short_run_s = 1;
 /// Of the budget, for the reference.
 constexpr double reference_share = 0.35;
 /// Error against depth is looked at in a picture smaller by this, both ways.
@@ -25,7 +26,7 @@ constexpr int depth_shrink = 4;
 /// Of the budget: settings that would take this too wait for the depths and the maps of rays.
 constexpr double depth_share = 0.2;
 constexpr int depth_bands = 8;
-constexpr int cost_map_shrink = 2;
+constexpr int cost_map_shrink = 3;
 
 Unit unit_of(Setting const& setting, std::uint64_t seed) {
   return {file_name(setting.name), setting.words, seed};
@@ -101,6 +102,15 @@ private:
     return best;
   }
 
+  /// A run of a family for lines had no channels beside its bands.
+  bool has_no_lines(Family const& family) const {
+    return family.for_lines
+           && std::any_of(result_.settings.begin(), result_.settings.end(), [&](auto const& other) {
+                return other.setting.family == &family && other.measured()
+                       && other.runs.front().bands == static_cast<int>(other.setting.value);
+              });
+  }
+
   void tell(std::string const& now) {
     if (!options_.on_progress) return;
     Progress progress{0, count_, now, runner_.elapsed_s(), 0};
@@ -121,6 +131,10 @@ private:
     if (seed >= static_cast<std::uint64_t>(stochastic ? options_.seeds : repeats)) return;
     if (seed > 0 && result.runs.size() != seed) return; // an earlier one did not fit
     if (seed > 0 && !stochastic && result.wall_s > short_run_s) return;
+    if (seed == 0 && has_no_lines(*result.setting.family)) {
+      result.skipped = "the lights have no lines: the picture of deterministic";
+      return;
+    }
     Unit const unit = unit_of(result.setting, seed);
     if (!runner_.find(unit)) {
       auto const expected = expected_s(result.setting);
@@ -231,8 +245,8 @@ private:
     }
     tell("measuring");
     auto const field = dispersion_field(*reference);
-    for (auto& result : result_.settings) {
-      if (!result.measured()) continue;
+    tbb::parallel_for_each(result_.settings, [&](SettingResult& result) {
+      if (!result.measured()) return;
       bool const stochastic = result.setting.family->stochastic;
       std::vector<image::Image> pictures;
       for (auto const& run : result.runs) {
@@ -250,7 +264,7 @@ private:
         result.errors.banding += e.banding / count;
       }
       result.spread = measure_spread(*reference, pictures, !stochastic);
-    }
+    });
     compare_settings();
   }
 
