@@ -11,6 +11,7 @@
 #include "render/render.hpp"
 #include "study/target.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -290,9 +291,11 @@ int write_records(Arguments const& arguments, RenderStats stats, Stopwatch const
 }
 
 /// --error and --time: takes over what suits them, and says so. The exit status, 0: go on.
-int choose(Arguments& arguments, lang::Evaluated const& evaluated) {
+/// @param spent_s of the time
+int choose(Arguments& arguments, lang::Evaluated const& evaluated, double spent_s) {
   auto& options = arguments.options;
-  auto const& target = arguments.target;
+  auto target = arguments.target;
+  if (target.seconds > 0) target.seconds = std::max(1e-3, target.seconds - spent_s);
   auto const choice =
       study::choose_setting(evaluated.scene, overrides_of(arguments.scene), options, target);
   if (interrupted()) return 130;
@@ -341,7 +344,7 @@ int render_scene(Arguments& arguments) {
   options.height = arguments.scene.height;
   options.stop = &interrupted();
   if (arguments.target.delta_e > 0 || arguments.target.seconds > 0)
-    if (int const failed = choose(arguments, *evaluated)) return failed;
+    if (int const failed = choose(arguments, *evaluated, all.wall_s())) return failed;
   auto const plan = plan_scene(*evaluated, arguments.scene, status);
   if (!plan) return status;
 

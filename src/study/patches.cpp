@@ -12,7 +12,6 @@
 namespace abbe::study {
 namespace {
 
-constexpr int side = 8;
 constexpr int strip = 16; ///< rows of a picture that is looked at whole
 
 Vec3 lab_of(Vec3 rgb) {
@@ -22,13 +21,13 @@ Vec3 lab_of(Vec3 rgb) {
 
 } // namespace
 
-Patches spread_patches(int width, int height, int count) {
+Patches spread_patches(int width, int height, int count, int side, bool parts) {
   Patches out;
   double const area = static_cast<double>(width) * height;
   int const across = std::max(
       1, static_cast<int>(std::lround(std::sqrt(count * width / static_cast<double>(height)))));
   int const down = std::max(1, count / across);
-  if (area <= whole_pixels || width < across * side || height < down * side) {
+  if ((area <= whole_pixels && !parts) || width < across * side || height < down * side) {
     for (int y = 0; y < height; y += strip)
       out.regions.push_back({0, y, width, std::min(y + strip, height)});
     out.pixels = area;
@@ -37,7 +36,7 @@ Patches spread_patches(int width, int height, int count) {
   for (int j = 0; j < down; ++j)
     for (int i = 0; i < across; ++i) {
       RandomKey const key = RandomKey(1).child(static_cast<std::uint64_t>(j * across + i));
-      auto const place = [](int cell, int cells, int size, double u) {
+      auto const place = [side](int cell, int cells, int size, double u) {
         double const lo = static_cast<double>(cell) * size / cells;
         double const room = static_cast<double>(size) / cells - side;
         return std::clamp(static_cast<int>(lo + u * room), 0, size - side);

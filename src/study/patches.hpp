@@ -16,9 +16,12 @@ struct Patches {
 /// Pixels of a picture that is looked at whole.
 inline constexpr int whole_pixels = 10000;
 inline constexpr int patch_count = 128;
-/// Squares of 8 pixels, one in each cell of an even grid, somewhere in it (the same each time).
-/// @param count about so many; a small picture is one patch whatever it is
-Patches spread_patches(int width, int height, int count = patch_count);
+inline constexpr int patch_side = 8;
+/// Squares, one in each cell of an even grid, somewhere in it (the same each time).
+/// @param count about so many; the whole of a small picture, unless `parts` are wanted of it too
+/// @param side of a square, pixels
+Patches spread_patches(int width, int height, int count = patch_count, int side = patch_side,
+                       bool parts = false);
 
 struct Probe {
   std::vector<Vec3> colours; ///< linear sRGB, of all pixels of the patches

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <thread>
 
 namespace abbe::study {
@@ -15,8 +16,11 @@ namespace {
 
 /// Samples of a half of the reference, round by round; all of them count.
 constexpr std::array reference_depths{4, 6, 8, 11, 16};
+/// Where the time is given: it begins with what takes little.
+constexpr std::array quick_depths{2, 2, 3, 4, 6, 8, 11, 16};
 constexpr int reference_bands = 32;
 constexpr int fewest_patches = 16;
+constexpr int least_side = 4;
 constexpr int reference_rays_a_split = 4;
 /// Patches that tell how long all of the picture takes.
 constexpr int calibration_patches = 400;
@@ -41,8 +45,9 @@ Prober::Prober(scene::Scene const& scene, plan::Overrides const& overrides,
   set_patches(patch_count);
 }
 
-void Prober::set_patches(int count) {
-  patches_ = spread_patches(options_.width, options_.height, count);
+void Prober::set_patches(int count, int side) {
+  patches_ = spread_patches(options_.width, options_.height, count, side,
+                            side != patch_side || count != patch_count);
   // Every fourth goes first.
   std::vector<render::Region> ordered;
   for (std::size_t first : {0, 2, 1, 3})
@@ -128,17 +133,7 @@ Probe Prober::probe(plan::Overrides const& overrides, render::AntiAliasing const
   return made;
 }
 
-void Prober::fit_patches(double seconds) {
-  Place cheapest{&ways().front(), 0, 0, {}};
-  if (!disperses_) cheapest.way = &way_of_the_scene();
-  auto const made = probe(overrides_of(cheapest), {}, options_.seed, patches_);
-  double const first = 2 * samples_of(reference_depths.front()) * (disperses_ ? 3 : 1)
-                       * std::max(0.0, made.cpu_s - prepare_s_) / threads_;
-  if (first <= seconds) return;
-  set_patches(std::max(fewest_patches, static_cast<int>(patch_count * seconds / first)));
-}
-
-void Prober::make_reference(double noise, double seconds) {
+plan::Overrides Prober::reference_overrides() const {
   auto overrides = overrides_;
   if (composite_) overrides = overrides_of({&way_of_the_scene(), 0, 0, {}});
   if (spectral_ && !overrides.bands)
@@ -153,6 +148,25 @@ void Prober::make_reference(double noise, double seconds) {
     overrides.dispersion->comb = {};
     overrides.dispersion->comb.teeth = reference_rays_a_split;
   }
+  return overrides;
+}
+
+void Prober::fit_patches(double seconds) {
+  auto const few =
+      spread_patches(options_.width, options_.height, fewest_patches, least_side, true);
+  auto const made = probe(reference_overrides(), {}, options_.seed, few);
+  double const around = prepare_s_ + a_patch_s_ * static_cast<double>(few.regions.size());
+  double const a_pixel_s = std::max(0.0, made.cpu_s - around) / few.pixels;
+  double const pixels = seconds * threads_ / load_
+                        / std::max(1e-12, 2 * samples_of(quick_depths.front()) * a_pixel_s);
+  if (pixels >= patches_.pixels) return;
+  auto const squares = [&](int side) { return static_cast<int>(pixels / (side * side)); };
+  int const side = squares(patch_side) >= 2 * fewest_patches ? patch_side : least_side;
+  set_patches(std::max(fewest_patches, squares(side)), side);
+}
+
+void Prober::make_reference(double noise, double seconds) {
+  auto const overrides = reference_overrides();
   render::AntiAliasing aa;
   aa.method = 1;
   aa.threshold = 0;
@@ -161,8 +175,10 @@ void Prober::make_reference(double noise, double seconds) {
   std::vector<Vec3> halves[2];
   int samples = 0;
   double a_sample_s = 0;
-  for (std::size_t round = 0; round < reference_depths.size(); ++round) {
-    aa.depth = reference_depths[round];
+  std::span<int const> const depths =
+      seconds > 0 ? std::span<int const>(quick_depths) : std::span<int const>(reference_depths);
+  for (std::size_t round = 0; round < depths.size(); ++round) {
+    aa.depth = depths[round];
     int const more = samples_of(aa.depth);
     if (seconds > 0 && since.wall_s() + a_sample_s * more > seconds && round > 0) break;
     for (std::uint64_t half = 0; half < 2; ++half) {
@@ -216,12 +232,25 @@ Seen const& Prober::see_all(Place const& place) {
                                   : seen_all_.emplace(place, look(place, patches_)).first->second;
 }
 
-double Prober::calibrate(Place place) {
-  place.aa = {0, 0};
-  double const few_s = see(place).seconds;
-  auto const many =
-      look(place, spread_patches(options_.width, options_.height, calibration_patches));
-  return few_s > 0 ? many.seconds / few_s : 1;
+double Prober::whole_s(Place const& place, double seconds) {
+  auto off = place;
+  off.aa = {0, 0};
+  if (!many_s_.contains(off))
+    many_s_[off] = look(off, spread_patches(options_.width, options_.height, calibration_patches,
+                                            patch_side, true))
+                       .seconds;
+  double const many_s = many_s_[off];
+  if (place.aa == off.aa || many_s <= prepare_s_) return many_s;
+  double const a_pixel_s = see(place).seconds / pixels();
+  auto const count =
+      static_cast<int>(seconds / std::max(1e-12, load_ * a_pixel_s) / (patch_side * patch_side));
+  auto const few =
+      spread_patches(options_.width, options_.height,
+                     std::clamp(count, fewest_patches, calibration_patches), patch_side, true);
+  double const fine_s = look(place, few).seconds - prepare_s_;
+  double const coarse_s = look(off, few).seconds - prepare_s_;
+  if (coarse_s <= 0) return many_s;
+  return prepare_s_ + (many_s - prepare_s_) * fine_s / coarse_s;
 }
 
 Seen Prober::reckon(Place const& place, int depth) {

@@ -56,7 +56,7 @@ public:
   /// How much longer than Seen::seconds the clock goes, by the longest render so far: other
   /// programs run, and threads wait for each other.
   double load() const { return load_; }
-  /// Fewer patches, where the reference would take longer than this.
+  /// Fewer and smaller patches, where the coarsest reference would take longer than this.
   void fit_patches(double seconds);
   /// Makes the converged patches until they are known to `noise` (mean CIEDE2000) or `seconds`
   /// (0: any time) have gone; two halves with different random numbers tell how well they are
@@ -75,14 +75,16 @@ public:
   Seen reckon(Place const& place, int depth);
   /// Deepest anti-aliasing that reckon() looks at.
   static constexpr int deepest_probe = 3;
-  /// How much longer a sample takes where more patches are looked at, against those in use.
-  double calibrate(Place place);
+  /// What a setting takes for the whole picture: of many patches without anti-aliasing, times what
+  /// it takes more on a few of them. Looking takes about `seconds`.
+  double whole_s(Place const& place, double seconds);
   std::size_t count() const { return seen_.size() + seen_all_.size(); }
   render::AntiAliasing aa_of(Place const& place) const;
   plan::Overrides overrides_of(Place const& place) const;
 
 private:
-  void set_patches(int count);
+  void set_patches(int count, int side = patch_side);
+  plan::Overrides reference_overrides() const;
   double pixels() const { return static_cast<double>(options_.width) * options_.height; }
   double scale(Patches const& patches) const { return pixels() / patches.pixels; }
   Probe probe(plan::Overrides const& overrides, render::AntiAliasing const& aa, std::uint64_t seed,
@@ -102,6 +104,7 @@ private:
   std::vector<Vec3> reference_;
   double noise_ = 0, reference_rays_ = 0;
   std::map<Place, Seen> seen_, seen_all_;
+  std::map<Place, double> many_s_; ///< by setting without anti-aliasing
 };
 
 } // namespace abbe::study

@@ -11,7 +11,7 @@ namespace {
 /// How well the converged picture is to be known, of the error that is asked for.
 constexpr double reference_noise = 0.4;
 /// Of a time: for the converged patches.
-constexpr double reference_share = 0.08;
+constexpr double patches_share = 0.04, reference_share = 0.08;
 
 Choice choice_of(Prober const& prober, Answer const& answer) {
   Choice choice;
@@ -70,7 +70,7 @@ Result<Choice> choose_setting(scene::Scene const& scene, plan::Overrides const& 
                           overrides.dispersion.has_value(), options.stop};
   if (auto const error = prober.plan()) return *error;
   if (target.seconds > 0) {
-    prober.fit_patches(reference_share * target.seconds);
+    prober.fit_patches(patches_share * target.seconds);
     prober.make_reference(0, reference_share * target.seconds);
     return choice_of(prober, search_for_time(question));
   }

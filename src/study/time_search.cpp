@@ -16,7 +16,12 @@ constexpr int deepest = 64;
 constexpr std::array thresholds{0.0, 0.03};
 constexpr std::array coarse_steps{AaStep{2, 0.3}, AaStep{3, 0.3}, AaStep{3, 0.1}, AaStep{3, 0.03}};
 constexpr double no_threshold = 3;
-constexpr int most_halvings = 5;
+constexpr int most_halvings = 4, most_trials = 4;
+/// Of the time: what counts as within it.
+constexpr double most_late = 1.25;
+/// Of what is left, that the picture aims at; that one look at what a grid takes may take; that is
+/// near enough.
+constexpr double aimed_share = 0.95, settling_share = 0.03, filled_share = 0.85;
 /// Below this depth the next grid takes so much longer that the time between is worth using.
 constexpr int filled_below = 9;
 
@@ -29,16 +34,19 @@ public:
     auto const ways = q_.open_ways();
     for (std::size_t i = 0; i < ways.size(); ++i) {
       double const now = q_.elapsed_s();
-      double const left = std::max(0.0, choosing_share * seconds - now);
-      climb(q_.first_place(*ways[i]), now + left / static_cast<double>(ways.size() - i));
+      double const left = choosing_share * seconds - now;
+      if (found_ && left <= 0) break;
+      climb(q_.first_place(*ways[i]),
+            now + std::max(0.0, left) / static_cast<double>(ways.size() - i));
     }
-    // What is left goes to the picture. The patches may cost more or less than all of it does.
-    double const calibration = q_.prober.calibrate(best_.place);
-    auto const left = [&] { return (seconds - q_.elapsed_s()) / (calibration * q_.prober.load()); };
-    if (!q_.target.keep_aa) best_ = fitted(best_.place, left());
-    if (!q_.target.keep_aa) fill(left());
-    best_.seen.seconds *= calibration * q_.prober.load();
-    best_.reached = best_.seen.seconds <= std::max(0.0, seconds - q_.elapsed_s());
+    if (!q_.target.keep_aa) {
+      best_ = fitted(best_.place, left_s());
+      settle();
+    } else {
+      best_.seen.seconds = q_.prober.whole_s(best_.place, 0);
+    }
+    best_.seen.seconds *= q_.prober.load();
+    best_.reached = q_.elapsed_s() + best_.seen.seconds <= most_late * seconds;
     return best_;
   }
 
@@ -118,21 +126,56 @@ private:
     found_ = true;
   }
 
-  /// Between two grids: the deeper one where pixels differ more.
-  void fill(double seconds) {
-    auto const now = best_.place.aa.depth;
-    if (now == 0 || now >= filled_below || best_.seen.seconds > 0.9 * seconds) return;
+  /// For the picture, as Seen::seconds counts.
+  double left_s() const {
+    return aimed_share * (q_.target.seconds - q_.elapsed_s()) / q_.prober.load();
+  }
+  double whole_s(Place const& place) const {
+    return q_.prober.whole_s(place, settling_share * std::max(0.0, left_s()));
+  }
+
+  /// How deep a grid really fits: the patches may cost more or less than all of the picture does,
+  /// and samples that are made together less than a few.
+  void settle() {
     Place place = best_.place;
-    place.aa.depth = std::max(2, now + 1);
+    place.aa.depth = std::max(2, place.aa.depth);
+    double fits_s = 0;
+    double const off_s = whole_s({place.way, place.step, place.bands, {}});
+    int fits = 0, too_deep = deepest + 1;
+    for (int i = 0; i < most_trials && !q_.stopped(); ++i) {
+      double const left = left_s(), s = whole_s(place);
+      if (s <= left && place.aa.depth > fits) {
+        fits = place.aa.depth;
+        fits_s = s;
+      } else if (s > left) {
+        too_deep = std::min(too_deep, place.aa.depth);
+      }
+      double const more = std::sqrt(std::max(0.0, left - off_s) / std::max(1e-9, s - off_s));
+      place.aa.depth = std::clamp(static_cast<int>(place.aa.depth * more), fits, too_deep - 1);
+      if (place.aa.depth < 2 || place.aa.depth == fits) break;
+    }
+    best_.place.aa.depth = fits;
+    best_.seen.seconds = fits > 0 ? fits_s : off_s;
+    if (fits < filled_below) fill(off_s);
+  }
+
+  /// Between two grids: the deeper one where pixels differ more.
+  void fill(double off_s) {
+    Place place = best_.place;
+    place.aa.depth = std::max(2, place.aa.depth + 1);
+    if (off_s > left_s()) return;
     double lo = std::log(std::max(1e-3, place.aa.threshold)), hi = std::log(no_threshold);
     for (int i = 0; i < most_halvings && !q_.stopped(); ++i) {
       double const middle = 0.5 * (lo + hi);
       place.aa.threshold = std::exp(middle);
-      auto const seen = q_.prober.reckon(place, place.aa.depth);
-      bool const fits = seen.seconds <= seconds;
-      if (fits && seen.delta_e < best_.seen.delta_e) best_ = {place, seen, true};
-      if (fits && seen.seconds > 0.9 * seconds) break;
-      (fits ? hi : lo) = middle;
+      double const left = left_s(), s = whole_s(place);
+      if (s <= left && s > best_.seen.seconds) {
+        best_.place = place;
+        best_.seen = q_.prober.reckon(place, place.aa.depth);
+        best_.seen.seconds = s;
+      }
+      if (s <= left && s > filled_share * left) break;
+      (s <= left ? hi : lo) = middle;
     }
   }
 

@@ -52,8 +52,8 @@ constexpr std::array table{
     Way{"none", none, one_step, 8},
     Way{"stochastic rays", rays, rays_steps, 8},
     Way{"deterministic", deterministic, one_step, 4},
-    Way{"clusters", clusters, cluster_steps, 8},
-    Way{"hero", hero, hero_steps, 8},
+    Way{"clusters", clusters, cluster_steps, 4},
+    Way{"hero", hero, hero_steps, 4},
     Way{"adaptive", adaptive, tolerance_steps, 16},
 };
 constexpr Way as_it_is{"", nullptr, one_step, 4};
