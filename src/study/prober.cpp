@@ -18,7 +18,8 @@ namespace {
 constexpr std::array reference_depths{4, 6, 8, 11, 16};
 /// Where the time is given: it begins with what takes little.
 constexpr std::array quick_depths{2, 2, 3, 4, 6, 8, 11, 16};
-constexpr int reference_bands = 32;
+/// Peaks of measured lamps, in steps of 5 nm, are lines for wider bands, which changes them.
+constexpr int reference_bands = 32, reference_bands_with_lines = 96;
 constexpr int fewest_patches = 16;
 constexpr int least_side = 4;
 constexpr int reference_rays_a_split = 4;
@@ -69,7 +70,6 @@ std::optional<Error> Prober::plan() {
   if (spectral_) {
     auto const& bands = made->spectral->bands;
     given_bands_ = bands.count();
-    range_nm_ = bands.hi_nm() - bands.lo_nm();
     auto const kind = scene_.settings.spectral.representation.kind;
     using Kind = scene::Representation::Kind;
     bool const free =
@@ -137,8 +137,8 @@ plan::Overrides Prober::reference_overrides() const {
   auto overrides = overrides_;
   if (composite_) overrides = overrides_of({&way_of_the_scene(), 0, 0, {}});
   if (spectral_ && !overrides.bands)
-    overrides.bands = composite_ ? static_cast<int>(std::ceil(range_nm_))
-                                 : std::max(reference_bands, given_bands_);
+    overrides.bands =
+        std::max(composite_ ? reference_bands_with_lines : reference_bands, given_bands_);
   if (disperses_ && !overrides_.dispersion) {
     auto& mode = overrides.dispersion.emplace();
     mode.kind = scene::DispersionMode::Kind::Stochastic; // what all but `none` converge to

@@ -99,7 +99,7 @@ private:
   Patches patches_, some_; ///< the second: those that the first begins with
   bool spectral_ = false, disperses_ = false, composite_ = false;
   int given_bands_ = 0;
-  double range_nm_ = 0, prepare_s_ = 0, a_patch_s_ = 0, longest_s_ = 0, load_ = 1;
+  double prepare_s_ = 0, a_patch_s_ = 0, longest_s_ = 0, load_ = 1;
   int threads_ = 1;
   std::vector<Vec3> reference_;
   double noise_ = 0, reference_rays_ = 0;

@@ -10,6 +10,9 @@
 namespace abbe::study {
 namespace {
 
+/// Of the renderer's grid.
+constexpr int deepest = 64;
+
 std::vector<std::string> split(std::string_view text) {
   std::vector<std::string> words;
   std::string word;
@@ -53,18 +56,28 @@ std::vector<std::string> Sampling::words() const {
   return {"--aa", text.substr(0, slash), "--aa-threshold", text.substr(slash + 1)};
 }
 
+int Sampling::samples() const {
+  if (text == "off") return 1;
+  auto const depth = static_cast<int>(*number(std::string_view(text).substr(0, text.find('/'))));
+  return depth * depth + 1;
+}
+
+Sampling Sampling::everywhere() const {
+  return {text == "off" ? text : text.substr(0, text.find('/')) + "/0"};
+}
+
 Result<Sampling> parse_sampling(std::string const& text) {
   if (text == "off") return Sampling{text};
   auto const slash = text.find('/');
   auto const depth = number(std::string_view(text).substr(0, slash));
   auto const threshold =
       slash == std::string::npos ? 0.3 : number(std::string_view(text).substr(slash + 1));
-  if (depth && *depth >= 1 && *depth <= 9 && *depth == static_cast<int>(*depth) && threshold
+  if (depth && *depth >= 1 && *depth <= deepest && *depth == static_cast<int>(*depth) && threshold
       && *threshold >= 0 && *threshold <= 3)
     return Sampling{text};
-  return Error{"E0530", fmt::format("anti-aliasing '{}': expected off, a depth from 1 to 9, or "
+  return Error{"E0530", fmt::format("anti-aliasing '{}': expected off, a depth from 1 to {}, or "
                                     "DEPTH/THRESHOLD with a threshold from 0 to 3",
-                                    text)};
+                                    text, deepest)};
 }
 
 Result<std::vector<Setting>> make_settings(Selection const& selection) {

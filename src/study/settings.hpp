@@ -32,6 +32,8 @@ Family const* find_family(std::string_view name);
 struct Sampling {
   std::string text;
   std::vector<std::string> words() const;
+  int samples() const;         ///< of a pixel, at most
+  Sampling everywhere() const; ///< as deep, in each pixel
 };
 /// @error E0530
 Result<Sampling> parse_sampling(std::string const& text);

@@ -17,7 +17,7 @@ constexpr std::array table{
     Family{"faithful", "jitter over two bands, fan-out 2 (as published)", "bands", "",
            "--dispersion faithful --bands {}", true},
     Family{"adaptive", "bands go together while they land within T pixels; 32 bands", "pixels",
-           "4 1 0.25", "--dispersion 'adaptive tolerance {}' --bands 32"},
+           "4 0.25", "--dispersion 'adaptive tolerance {}' --bands 32"},
     Family{"rays", "stochastic, M rays a split; 16 bands", "rays", "1 2 4 8",
            "--dispersion 'stochastic rays {}' --bands 16", true},
     Family{"clusters", "one of a cluster of N wavelengths goes on (degrade); 4 bands",

@@ -37,12 +37,6 @@ Unit cost_map_unit(Setting const& setting) {
   return {"rays-" + file_name(setting.name), setting.words, 0, true, cost_map_shrink};
 }
 
-int samples_of(std::string const& aa) {
-  if (aa == "off") return 1;
-  int const depth = aa.front() - '0';
-  return depth * depth + 1;
-}
-
 class Study {
 public:
   explicit Study(StudyOptions const& options) : options_(options), runner_(options) {}
@@ -91,8 +85,8 @@ private:
           setting.family->parameter == "bands" && other.setting.family->parameter == "bands"
               ? setting.value / std::max(1.0, other.setting.value)
               : 1;
-      double const samples =
-          static_cast<double>(samples_of(setting.aa)) / samples_of(other.setting.aa);
+      double const samples = static_cast<double>(Sampling{setting.aa}.samples())
+                             / Sampling{other.setting.aa}.samples();
       double const apart =
           std::abs(std::log2(ratio)) + std::abs(std::log2(samples)) + (same_family ? 0 : 4);
       if (best && apart >= nearest) continue;
@@ -188,9 +182,8 @@ private:
   std::string finest_aa() const {
     std::string finest = "off";
     for (auto const& aa : options_.selection.aa)
-      if (samples_of(aa) > samples_of(finest)) finest = aa;
-    if (finest == "off") return finest;
-    return finest.substr(0, 1) + "/0";
+      if (Sampling{aa}.samples() > Sampling{finest}.samples()) finest = aa;
+    return Sampling{finest}.everywhere().text;
   }
 
   std::optional<Error> make_reference() {
