@@ -5,6 +5,8 @@
 #include "geometry/registers.hpp"
 #include "optics/refract.hpp"
 
+#include <algorithm>
+
 namespace abbe::render {
 namespace {
 
@@ -60,6 +62,28 @@ void meet(FanVectors const& directions, std::size_t count, FanInterface& face) {
   }
 }
 
+template <class L>
+void meet_each(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes) {
+  L const one(1.0), zero(0.0);
+  Vec3 const cross = glm::cross(direction, normal);
+  L const sin2(std::min(1.0, glm::dot(cross, cross))), cosine(cos_i);
+  optics::Direction<L> const d{L(direction.x), L(direction.y), L(direction.z)};
+  optics::Direction<L> const n{L(normal.x), L(normal.y), L(normal.z)};
+  for (std::size_t at = 0; at < lanes.count; at += 4) {
+    L const n1 = lane::load<L>(lanes.n1 + at), n2 = lane::load<L>(lanes.n2 + at);
+    auto const f = optics::fresnel<L>(n1, n2, n2 - n1, cosine, sin2);
+    auto const t = optics::refracted<L>(f, d, n);
+    lane::store(lanes.reflectance + at, f.reflectance);
+    lane::store(lanes.transmittance + at, f.transmittance);
+    lane::store(lanes.x + at, t.x);
+    lane::store(lanes.y + at, t.y);
+    lane::store(lanes.z + at, t.z);
+    alignas(32) double total[4];
+    lane::store(total, lane::select(f.total, one, zero));
+    std::transform(total, total + 4, lanes.total + at, [](double t_) { return t_ != 0; });
+  }
+}
+
 using Meeter = void (*)(FanVectors const&, std::size_t, FanInterface&);
 #if ABBE_HAS_WIDE_LANES
 template <bool Same>
@@ -71,6 +95,18 @@ Meeter const meeter = geometry::has_wide_registers() ? meet_wide<Same> : meet<Sa
 #else
 template <bool Same>
 Meeter const meeter = meet<Same, lane::Double4>;
+#endif
+
+using LaneMeeter = void (*)(Vec3 const&, Vec3 const&, double, SplitLanes const&);
+#if ABBE_HAS_WIDE_LANES
+ABBE_FOR_AVX2 void meet_each_wide(Vec3 const& direction, Vec3 const& normal, double cos_i,
+                                  SplitLanes const& lanes) {
+  meet_each<lane::Wide4>(direction, normal, cos_i, lanes);
+}
+LaneMeeter const lane_meeter =
+    geometry::has_wide_registers() ? meet_each_wide : meet_each<lane::Double4>;
+#else
+LaneMeeter const lane_meeter = meet_each<lane::Double4>;
 #endif
 
 template <class L>
@@ -102,6 +138,9 @@ void aim_fan(FanVectors const& points, std::size_t count, Vec3 const& at, FanVec
   aimer(points, count, at, directions, distances);
 }
 
+void meet_lanes(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes) {
+  lane_meeter(direction, normal, cos_i, lanes);
+}
 void meet_fan(FanVectors const& direction, std::size_t count, FanInterface& face) {
   meeter<false>(direction, count, face);
 }

@@ -23,6 +23,19 @@ void meet_fan(geometry::FanVectors const& direction, std::size_t count, FanInter
 /// The same where n1 and n2 are equal for all rays; but refracted, which are the directions.
 void meet_fan_unbent(geometry::FanVectors const& direction, std::size_t count, FanInterface& face);
 
+/// One ray that is split at a surface, a lane a wavelength; and what comes of it: written four
+/// lanes at a time, so that up to three lanes beyond are overwritten.
+struct SplitLanes {
+  double const *n1, *n2; ///< whole lanes of four
+  std::size_t count;
+  double *reflectance, *transmittance;
+  bool* total;
+  double *x, *y, *z; ///< refracted directions, where not total
+};
+/// Fresnel and Snell for all of its wavelengths, with the bits of the scalar path.
+/// @param direction unit @param normal unit, against it
+void meet_lanes(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes);
+
 /// Unit directions from points to a place, and the distances, with the bits of towards()
 /// (shader.hpp); not numbers where the distance is 0. Whole lanes of four.
 void aim_fan(geometry::FanVectors const& points, std::size_t count, Vec3 const& at,

@@ -5,6 +5,7 @@
 #include "geometry/fan.hpp"
 #include "optics/fresnel.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -86,7 +87,9 @@ struct FanSurface {
   double* passed = nullptr;
   double* mirrored = nullptr;
   bool mirrors[geometry::fan_width]{}, explicit_reflection[geometry::fan_width]{};
-  double exponent[geometry::fan_width]{1, 1, 1, 1, 1, 1, 1, 1};
+  double exponent[geometry::fan_width];
+
+  FanSurface() { std::fill_n(exponent, geometry::fan_width, 1.0); }
 
   /// Of ray r, where each has so many lanes.
   LaneSurface of(std::size_t r, int lanes_each) const {

@@ -3,20 +3,29 @@
 
 #include "render/tracer.hpp"
 
-namespace abbe::render {
+#include <algorithm>
+#include <limits>
 
-void Route::start(double least) {
+namespace abbe::render {
+namespace {
+
+/// What has less of the light may go elsewhere.
+constexpr double least_share = 1.0 / 32;
+
+} // namespace
+
+void Route::start(double light) {
   visits_.clear();
   open_.clear();
-  least_ = least;
+  light_ = light;
 }
 
 void Route::begin(Tracer& tracer, int depth, PathRay const& ray, Beam const& beam) {
   close(tracer, depth);
   bool const to_lamp = (ray.mask & (camera_bit | reflection_bit)) == 0;
-  if (to_lamp || beam.throughput[0] < least_) return;
+  if (to_lamp || beam.throughput[0] < light_ * least_share) return;
   open_.push_back(visits_.size());
-  visits_.push_back({depth, false, {}, ray.line.direction, {}});
+  visits_.push_back({depth, false, beam.throughput[0] / light_, {}, ray.line.direction, {}});
   tracer.frames_[static_cast<std::size_t>(depth)].hit.clear();
 }
 
@@ -32,22 +41,23 @@ void Route::close(Tracer const& tracer, int depth) {
   }
 }
 
-bool Route::agrees(Route const& other, Footprint const& footprint, double tolerance_px,
-                   bool sky) const {
-  if (visits_.size() != other.visits_.size()) return false;
+double Route::apart_px(Route const& other, Footprint const& footprint, bool sky) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (visits_.size() != other.visits_.size()) return never;
+  double most_px = 0;
   for (std::size_t i = 0; i < visits_.size(); ++i) {
     Visit const &a = visits_[i], &b = other.visits_[i];
-    if (a.depth != b.depth || a.met != b.met) return false;
-    if (!a.met) {
+    if (a.depth != b.depth || a.met != b.met) return never;
+    double const share = std::min(1.0, std::max(a.share, b.share));
+    if (a.met) {
+      if (a.primitive != b.primitive) return never;
+      most_px = std::max(most_px, share * (glm::length(a.point - b.point) / footprint.at(a.point)));
+    } else if (sky) {
       double const angle_rad = glm::length(a.direction - b.direction);
-      if (sky && !(angle_rad <= tolerance_px * (footprint.angle_rad + footprint.size)))
-        return false;
-      continue;
+      most_px = std::max(most_px, share * (angle_rad / (footprint.angle_rad + footprint.size)));
     }
-    if (a.primitive != b.primitive) return false;
-    if (!(glm::length(a.point - b.point) <= tolerance_px * footprint.at(a.point))) return false;
   }
-  return true;
+  return most_px;
 }
 
 } // namespace abbe::render

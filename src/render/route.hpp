@@ -16,20 +16,22 @@ struct Beam;
 /// share one.
 class Route {
 public:
-  /// @param least throughput of rays that count
-  void start(double least);
+  /// @param light throughput of the ray that is to come
+  void start(double light);
   /// Called where a ray begins; the one before it has then met what it meets.
   void begin(Tracer& tracer, int depth, PathRay const& ray, Beam const& beam);
   void end(Tracer const& tracer) { close(tracer, 0); }
 
-  /// Did both meet the same surfaces, never further apart than the tolerance? @param sky rays that
-  /// met nothing must have had the same direction, within the tolerance
-  bool agrees(Route const& other, Footprint const& footprint, double tolerance_px, bool sky) const;
+  /// How far apart both went, at most, in pixels: of rays with a share of the light, times that
+  /// share, for so much a displacement changes what is seen. Infinite where they met different
+  /// surfaces. @param sky rays that met nothing count by their directions
+  double apart_px(Route const& other, Footprint const& footprint, bool sky) const;
 
 private:
   struct Visit {
     int depth = 0;
     bool met = false;
+    double share = 1; ///< of the light that started
     geometry::PrimitiveId primitive{};
     Vec3 direction{0};
     Vec3 point{0};
@@ -39,7 +41,7 @@ private:
 
   std::vector<Visit> visits_;
   std::vector<std::size_t> open_;
-  double least_ = 0;
+  double light_ = 0;
 };
 
 } // namespace abbe::render

@@ -54,6 +54,26 @@ struct FanRay {
   }
 };
 
+/// Directions beyond a surface that splits rays, a value a lane.
+struct SplitWays {
+  double* x = nullptr;
+  double* y = nullptr;
+  double* z = nullptr;
+  Vec3 get(int lane) const { return {x[lane], y[lane], z[lane]}; }
+  SplitWays from(int lane) const { return {x + lane, y + lane, z + lane}; }
+};
+/// What the rays of a split have in common.
+struct SplitStart {
+  Vec3 point, point_error;
+  geometry::Departure const* from = nullptr;
+  InsideNode const* inside = nullptr;
+  int level = 0;
+  std::uint8_t mask = camera_bit;
+  PathRay towards(Vec3 const& direction) const {
+    return {{point, direction, point_error}, from, inside, level, mask, 0};
+  }
+};
+
 /// Counts of one thread, added up for the report.
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, monochromatic = 0, shadow = 0;
@@ -161,13 +181,19 @@ private:
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     std::size_t first, std::size_t count, Frame& frame);
   /// The same where fan_normals() knows the normals, which are in `met`. @return false, with
-  /// nothing done, where the rays are split
+  /// nothing done, where a comb says how the rays are split
   bool interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     FanInterface& met, Frame& frame);
-  /// What the textures that a fan met return of the light, and leave of it.
+  /// What the textures that a fan met return of the light, and leave of it. @param face its arrays
+  /// have the lanes of all
   void share_textured(FanRay const& fan, Beam& light, geometry::FanHits const& hits,
                       FanInterface const& met, LaneInterface& face, InsideNode const* after,
                       Frame& here, double* returns);
+  /// Fresnel and Snell of each lane of rays that are split: LaneInterface's arrays.
+  SplitWays meet_split(FanRay const& fan, FanInterface const& met, LaneInterface& face);
+  /// split() for the rays of a fan: what `passed` goes on a ray a lane.
+  void split_fan(FanRay const& fan, geometry::FanHits const& hits, Beam const& passed,
+                 SplitWays const& ways, double tolerance_px, InsideNode const* after, Frame& here);
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);
   /// Of a medium, for each ray of a fan; whole lanes.
@@ -211,6 +237,8 @@ private:
   // tracer_split.cpp
   void split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
              InsideNode const* after);
+  /// Each lane of a split beam on its own way.
+  void send_apart(SplitStart const& start, Beam const& beam, SplitWays const& ways);
   /// A split in the published scheme: lane by lane, as each becomes two.
   void split_doubled(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                      InsideNode const* after);
@@ -218,8 +246,8 @@ private:
   void split_picked(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                     InsideNode const* after);
   /// Lanes go together where their neighbours' routes agree within the tolerance.
-  void split_adaptively(PathRay const& ray, Beam const& beam, Frame& frame,
-                        LaneInterface const& face, InsideNode const* after);
+  void split_adaptively(SplitStart const& start, Beam const& beam, SplitWays const& ways,
+                        double tolerance_px);
   struct AdaptiveSplit;
   /// Has a route told of every ray, as long as it lives.
   struct Watch {

@@ -175,6 +175,21 @@ void share_bare(FanInterface const& met, bool fresnel, std::size_t rays, int eac
   }
 }
 
+/// What is known of each ray, for each of its lanes.
+void spread(FanInterface const& met, std::size_t rays, int each, LaneInterface& face,
+            Arena& arena) {
+  std::size_t const lanes = rays * static_cast<std::size_t>(each);
+  face.reflectance = arena.take<double>(lanes);
+  face.transmittance = arena.take<double>(lanes);
+  face.total = arena.take<bool>(lanes);
+  for (std::size_t k = 0; k < rays; ++k) {
+    auto const first = static_cast<int>(k) * each;
+    std::fill_n(face.reflectance + first, each, met.reflectance[k]);
+    std::fill_n(face.transmittance + first, each, met.transmittance[k]);
+    std::fill_n(face.total + first, each, met.total[k] != 0);
+  }
+}
+
 } // namespace
 
 void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
@@ -182,17 +197,8 @@ void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
                             Frame& here, double* returns) {
   std::size_t const n = fan.lines->count;
   int const each = fan.lanes_each;
-  face.reflectance = arena_.take<double>(static_cast<std::size_t>(light.lanes));
-  face.transmittance = arena_.take<double>(static_cast<std::size_t>(light.lanes));
-  face.total = arena_.take<bool>(static_cast<std::size_t>(light.lanes));
-  bool any_total = false;
-  for (std::size_t k = 0; k < n; ++k) {
-    auto const first = static_cast<int>(k) * each;
-    std::fill_n(face.reflectance + first, each, met.reflectance[k]);
-    std::fill_n(face.transmittance + first, each, met.transmittance[k]);
-    std::fill_n(face.total + first, each, met.total[k] != 0);
-    any_total = any_total || met.total[k] != 0;
-  }
+  auto const is_total = [](bool total) { return total; };
+  bool const any_total = std::any_of(face.total, face.total + light.lanes, is_total);
   FanShadows shadows(*this, fan, hits, met.normal, after, here);
   Meeting const meeting{n,
                         &fan.lines->direction,
@@ -212,7 +218,8 @@ void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
     lanes.transmittance += first;
     lanes.total += first;
     Beam const arriving = light.ray(static_cast<int>(k), each);
-    if (own.mirrors && own.exponent != 1 && !lanes.total[0]) {
+    bool const bent = own.mirrors && own.exponent != 1;
+    if (bent && std::none_of(lanes.total, lanes.total + each, is_total)) {
       hits.write_place(k, here.hit);
       lanes.normal = lanes.geometric = met.normal.get(k);
       reflect(fan.lane(static_cast<int>(k)), arriving, here, lanes, own);
@@ -238,15 +245,18 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   face.after = medium_of(after);
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   Medium const& beyond = stage_.media[static_cast<std::size_t>(face.after)];
-  if (!incoming.locked && face.before != face.after && (before.dispersive || beyond.dispersive))
-    return false;
+  bool const splits =
+      !incoming.locked && face.before != face.after && (before.dispersive || beyond.dispersive);
+  if (splits && !stage_.combs.empty()) return false;
   face.fresnel = before.fresnel || beyond.fresnel;
   bool const fades = fan.inside != after && before.fade_power != 0;
-  find_indices(before, face.before, incoming, n, met.n1);
-  find_indices(beyond, face.after, incoming, n, met.n2);
   for (std::size_t k = n; k % 4 != 0; ++k) met.normal.set(k, met.normal.get(n - 1));
-  bool const unbent = std::equal(met.n1, met.n1 + n, met.n2);
-  if (unbent)
+  if (!splits) {
+    find_indices(before, face.before, incoming, n, met.n1);
+    find_indices(beyond, face.after, incoming, n, met.n2);
+  }
+  bool const unbent = !splits && std::equal(met.n1, met.n1 + n, met.n2);
+  if (splits || unbent)
     meet_fan_unbent(fan.lines->direction, n, met);
   else
     meet_fan(fan.lines->direction, n, met);
@@ -268,12 +278,17 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
     Beam const own = through.ray(static_cast<int>(k), each);
     for (int c = 0; fades && c < each; ++c)
       own.throughput[c] *= distance_fade(before, own.channel[c], hits.t[k]);
-    if (!unbent && met.n1[k] != met.n2[k]) through_lines->direction.set(k, met.refracted.get(k));
+    if (!splits && !unbent && met.n1[k] != met.n2[k])
+      through_lines->direction.set(k, met.refracted.get(k));
   }
-  if (stage_.surfaces[hits.hit[0].primitive].bare())
+  SplitWays ways;
+  if (splits) ways = meet_split(fan, met, face);
+  if (!splits && stage_.surfaces[hits.hit[0].primitive].bare()) {
     share_bare(met, face.fresnel, n, each, back.throughput, through.throughput);
-  else
+  } else {
+    if (!splits) spread(met, n, each, face, arena_);
     share_textured(fan, through, hits, met, face, after, here, back.throughput);
+  }
   for (std::size_t k = 0; k < n; ++k) {
     if (!(met.below[k] < 0)) continue;
     face.normal = face.geometric = met.normal.get(k);
@@ -288,6 +303,11 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   if (any_but_zero(through.throughput, through.lanes)) {
     here.through.on = here.hit.members;
     here.through.through = true;
+    if (splits) {
+      Medium const& governing = beyond.dispersive ? beyond : before;
+      split_fan(fan, hits, through, ways, governing.tolerance_px, after, here);
+      return true;
+    }
     trace_lanes({through_lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each},
                 *through_lines, through, counts_.refracted);
   }

@@ -3,6 +3,7 @@
 #include "render/shader.hpp"
 
 #include <algorithm>
+#include <limits>
 
 /// How the rays of a split go on, one way a dispersion mode.
 namespace abbe::render {
@@ -128,26 +129,42 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
   if (!beam.monochromatic()) ++counts_.splits;
   if (face.doubles) return split_doubled(ray, beam, frame, face, after);
   if (face.picks) return split_picked(ray, beam, frame, face, after);
-  if (face.comb == no_comb
-      && stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px > 0)
-    return split_adaptively(ray, beam, frame, face, after);
   Arena::Scope const scope(arena_);
+  auto const n = static_cast<std::size_t>(beam.lanes);
+  SplitWays const ways{arena_.take<double>(n), arena_.take<double>(n), arena_.take<double>(n)};
+  for (std::size_t k = 0; k < n; ++k) {
+    Vec3 const way = optics::refracted(face.per_lane[k], ray.line.direction, face.normal);
+    ways.x[k] = way.x;
+    ways.y[k] = way.y;
+    ways.z[k] = way.z;
+  }
+  SplitStart const start{frame.hit.point, frame.hit.point_error, &frame.through,
+                         after,           ray.level + 1,         ray.mask};
   Beam apart = beam;
   apart.wave = face.split_wave;
   apart.locked = true;
+  double const tolerance_px =
+      stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px;
+  if (face.comb == no_comb && tolerance_px > 0)
+    split_adaptively(start, apart, ways, tolerance_px);
+  else
+    send_apart(start, apart, ways);
+}
+
+void Tracer::send_apart(SplitStart const& start, Beam const& beam, SplitWays const& ways) {
+  Arena::Scope const scope(arena_);
   constexpr int width = geometry::fan_width;
   auto* lines = arena_.take<geometry::FanLines>(1);
   for (int first = 0; first < beam.lanes; first += width) {
-    Beam const some = apart.from(first, std::min(width, beam.lanes - first));
+    Beam const some = beam.from(first, std::min(width, beam.lanes - first));
     for (int k = 0; k < some.lanes; ++k) {
       auto const at = static_cast<std::size_t>(k);
-      lines->origin.set(at, frame.hit.point);
-      lines->origin_error.set(at, frame.hit.point_error);
-      lines->direction.set(
-          at, optics::refracted(face.per_lane[first + k], ray.line.direction, face.normal));
+      lines->origin.set(at, start.point);
+      lines->origin_error.set(at, start.point_error);
+      lines->direction.set(at, ways.get(first + k));
     }
     lines->count = static_cast<std::size_t>(some.lanes);
-    trace_lanes({lines, &frame.through, after, ray.level + 1, ray.mask}, *lines, some,
+    trace_lanes({lines, start.from, start.inside, start.level, start.mask}, *lines, some,
                 counts_.monochromatic);
   }
 }
@@ -208,64 +225,53 @@ void Tracer::split_picked(PathRay const& ray, Beam const& beam, Frame& frame,
 /// agree those between go together, on the route of the middle one.
 struct Tracer::AdaptiveSplit {
   Tracer& tracer;
-  PathRay const& ray;
+  SplitStart const& start;
   Beam const& beam;
-  Frame& frame;
-  LaneInterface const& face;
-  InsideNode const* after;
+  SplitWays const& ways;
   double tolerance_px;
 
-  PathRay towards(int k) const {
-    return {{frame.hit.point, optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
-             frame.hit.point_error},
-            &frame.through,
-            after,
-            ray.level + 1,
-            ray.mask};
-  }
-
-  Beam locked(int first, int count, int middle) const {
+  /// Lanes on the way of one of them.
+  Beam together(int first, int count, int middle) const {
     Beam out = beam.from(first, count);
-    out.wave = face.split_wave;
     out.wave_tooth = beam.tooth[middle];
-    out.locked = true;
     return out;
   }
 
   Route& alone(int k, std::size_t number) {
     while (tracer.routes_.size() <= number) tracer.routes_.emplace_back();
     Route& route = tracer.routes_[number];
-    // What is dimmer than this share of the lane's light may go elsewhere.
-    constexpr double least_share = 1.0 / 32;
-    route.start(beam.throughput[k] * least_share);
+    route.start(beam.throughput[k]);
     Tracer::Watch const watch(tracer, route);
     ++tracer.counts_.monochromatic;
-    tracer.trace(towards(k), locked(k, 1, k));
+    tracer.trace(start.towards(ways.get(k)), together(k, 1, k));
     return route;
   }
 
   void between(int first, Route const& from, int last, Route const& to, std::size_t number) {
-    if (last - first < 2) return;
+    int const inner = last - first - 1;
+    if (inner < 1) return;
     int const middle = first + (last - first) / 2;
-    if (from.agrees(to, tracer.footprint_, tolerance_px, !tracer.stage_.sky_pigments.empty())) {
+    double const steps =
+        from.apart_px(to, tracer.footprint_, !tracer.stage_.sky_pigments.empty()) / tolerance_px;
+    if (steps <= 1) {
       ++tracer.counts_.monochromatic;
-      return tracer.trace(towards(middle), locked(first + 1, last - first - 1, middle));
+      return tracer.trace(start.towards(ways.get(middle)), together(first + 1, inner, middle));
     }
+    // Each would go alone; or a few, between which an edge lies.
+    bool const known = steps < std::numeric_limits<double>::infinity();
+    if (known ? steps > inner : inner <= few_lanes)
+      return tracer.send_apart(start, beam.from(first + 1, inner), ways.from(first + 1));
     Route const& here = alone(middle, number);
     between(first, from, middle, here, number + 1);
     between(middle, here, last, to, number + 1);
   }
+  /// Of these together, what each takes is less than what finding those to be spared would.
+  static constexpr int few_lanes = 6;
 };
 
-void Tracer::split_adaptively(PathRay const& ray, Beam const& beam, Frame& frame,
-                              LaneInterface const& face, InsideNode const* after) {
-  AdaptiveSplit split{*this,
-                      ray,
-                      beam,
-                      frame,
-                      face,
-                      after,
-                      stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px};
+void Tracer::split_adaptively(SplitStart const& start, Beam const& beam, SplitWays const& ways,
+                              double tolerance_px) {
+  AdaptiveSplit split{*this, start, beam, ways, tolerance_px};
   auto const carries = [&](int k) { return beam.throughput[k] > stage_.adc_bailout; };
   for (int first = 0; first < beam.lanes;) {
     if (!carries(first)) {

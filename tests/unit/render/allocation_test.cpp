@@ -46,7 +46,7 @@ namespace {
 
 /// Samples of a whole picture, one by one or, where that can be, together.
 void take_samples(Stage const& stage, Tracer& tracer, bool together) {
-  constexpr int size = 24;
+  constexpr int size = 32;
   static_assert(size % geometry::fan_width == 0);
   Vec3 sum(0);
   for (int y = 0; y < size; ++y) {

@@ -19,7 +19,8 @@ void expect_same(scene::Scene const& scene, std::size_t width) {
   auto const plan = plan::make_plan(scene, {});
   ASSERT_TRUE(plan);
   Stage const stage = compile(scene, *plan);
-  Tracer alone(stage), together(stage);
+  Footprint const footprint = pixel_footprint(stage.camera, size, size);
+  Tracer alone(stage, footprint), together(stage, footprint);
   ASSERT_TRUE(together.together());
   auto const channels = static_cast<std::size_t>(stage.channels);
   std::vector<double> bands(channels), bands_together(channels);
@@ -50,10 +51,13 @@ void expect_same(scene::Scene const& scene, std::size_t width) {
 }
 
 TEST(Together, SamplesOfRgbAreThoseOfEachAlone) {
-  for (std::size_t const width : {8, 5, 2}) expect_same(table(none(), false), width);
+  for (std::size_t const width : {16, 8, 5, 2}) expect_same(table(none(), false), width);
 }
 TEST(Together, SamplesOfBandsAreThoseOfEachAlone) {
-  for (std::size_t const width : {8, 3}) expect_same(table(deterministic(), true), width);
+  for (std::size_t const width : {16, 13, 3}) expect_same(table(deterministic(), true), width);
+}
+TEST(Together, SamplesThatSplitAdaptivelyAreThoseOfEachAlone) {
+  for (std::size_t const width : {16, 3}) expect_same(table(adaptive(0.5), true), width);
 }
 TEST(Together, NotWhereSamplesHaveWavelengthsOfTheirOwn) {
   auto const scene = table(stochastic(), true);
