@@ -3,6 +3,7 @@
 
 #include "geometry/world.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 /// Fans: rays of neighbouring wavelengths, which left the same surface for nearly the same
@@ -21,6 +22,13 @@ struct FanVectors {
     x[k] = v.x;
     y[k] = v.y;
     z[k] = v.z;
+  }
+  /// Of the first `count` rays; whole lanes of four.
+  void take(FanVectors const& from, std::size_t count) {
+    std::size_t const whole = (count + 3) / 4 * 4;
+    std::copy_n(from.x, whole, x);
+    std::copy_n(from.y, whole, y);
+    std::copy_n(from.z, whole, z);
   }
 };
 

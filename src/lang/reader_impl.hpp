@@ -183,6 +183,7 @@ private:
   bool in_open_block() const;
   Frame const& innermost_block() const;
   void taint();
+  bool tainted() const;
 
   Interpreter& in_;
   std::vector<Frame> frames_;

@@ -51,14 +51,22 @@ void ReaderImpl::taint() {
   }
 }
 
+bool ReaderImpl::tainted() const {
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+    if (frame->kind == Frame::Kind::Block) return frame->tainted;
+  return false;
+}
+
 /// Reports that a value is not there: once at a place, whatever else is missed there.
 void ReaderImpl::missing(std::string_view name, std::string_view kind) {
+  bool const follows = tainted();
   taint();
   Span const span = next_span();
   if (peek_.next == Next::Word && peek_.undeclared) {
-    in_.error("E0201",
-              fmt::format("undeclared identifier '{}'{}", peek_.word, in_.suggestion(peek_.word)),
-              span);
+    // A keyword that could stand here is nearer than any name.
+    std::string hint = did_you_mean(peek_.word, asked_);
+    if (hint.empty()) hint = in_.suggestion(peek_.word);
+    in_.error("E0201", fmt::format("undeclared identifier '{}'{}", peek_.word, hint), span);
     while (peek_.split && frames_.back().part < peek_.split->arguments.size())
       ++frames_.back().part;
     consume();
@@ -68,6 +76,7 @@ void ReaderImpl::missing(std::string_view name, std::string_view kind) {
       && missing_at_.end == span.end)
     return;
   missing_at_ = span;
+  if (follows) return;
   in_.error("E0301", fmt::format("expected {} ({}), found {}", name, kind, describe_next()), span);
   bool const wrong_type =
       peek_.next == Next::String || peek_.next == Next::Identifier || peek_.next == Next::Numeric;
@@ -134,9 +143,9 @@ Numeric ReaderImpl::vector(std::string_view name, int size) {
   Span const span = peek_.span;
   Numeric n = numeric(name, size);
   if (n.size <= size) return n;
+  report(Severity::Error, "E0302",
+         fmt::format("{} must be {}, not {}", name, size_names[size], size_names[n.size]), span);
   taint();
-  in_.error("E0302",
-            fmt::format("{} must be {}, not {}", name, size_names[size], size_names[n.size]), span);
   n.size = static_cast<std::uint8_t>(size);
   return n;
 }
@@ -157,7 +166,9 @@ int ReaderImpl::integer(std::string_view name, int low, int high) {
   Span const span = next_span();
   double const value = std::trunc(number(name));
   if (value >= low && value <= high) return static_cast<int>(value);
-  in_.error("E0304", fmt::format("{} must lie in {} .. {}, not {}", name, low, high, value), span);
+  report(Severity::Error, "E0304",
+         fmt::format("{} must lie in {} .. {}, not {}", name, low, high, value), span);
+  taint();
   return value < low ? low : high;
 }
 

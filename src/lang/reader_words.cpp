@@ -154,13 +154,16 @@ void ReaderImpl::report(Severity severity, std::string_view code, std::string_vi
   // Values, optics, geometry: of a block with a stand-in for a wrong value, nothing more is said.
   bool const about_values =
       code.substr(0, 3) == "E03" || code.substr(0, 3) == "E04" || code.substr(0, 3) == "E06";
-  if (about_values)
-    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-      if (frame->kind != Frame::Kind::Block) continue;
-      if (frame->tainted) return;
-      break;
-    }
-  in_.report(severity, code, std::string(message), span.valid() ? span : block_span());
+  if (about_values && tainted()) return;
+  std::string text(message);
+  // Said of a name that is none: it is done with, and what follows of it is not said.
+  bool const of_name = severity == Severity::Error && peek_.ready && peek_.next == Next::Word
+                       && peek_.undeclared && span.valid() && span.begin == peek_.span.begin;
+  if (of_name) text += did_you_mean(peek_.word, asked_);
+  in_.report(severity, code, text, span.valid() ? span : block_span());
+  if (!of_name) return;
+  taint();
+  skip();
 }
 
 void ReaderImpl::unexpected(std::string_view what) {
@@ -171,6 +174,7 @@ void ReaderImpl::unexpected(std::string_view what) {
   }
   Span span = next_span();
   bool const name = peek_.next == Next::Word && peek_.undeclared;
+  if (tainted() && !name && peek_.next != Next::Block) return skip();
   bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
   std::string_view const word = next_word();
   std::string hint = word.empty() ? std::string() : did_you_mean(word, asked_);

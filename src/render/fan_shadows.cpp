@@ -68,9 +68,9 @@ void FanShadows::find(Ways& out) {
     through = beyond;
   }
   lines->count = n;
-  lines->origin = hits_.point;
-  lines->origin_error = hits_.point_error;
-  lines->direction = out.direction;
+  lines->origin.take(hits_.point, n);
+  lines->origin_error.take(hits_.point_error, n);
+  lines->direction.take(out.direction, n);
   lines->fill();
   double const* const to_lamp = out.distance;
   frame_.shadow.on = frame_.hit.members;

@@ -265,21 +265,12 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   back.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
-  auto* back_lines = arena_.take<FanLines>(1);
-  auto* through_lines = arena_.take<FanLines>(1);
-  back_lines->count = through_lines->count = n;
-  back_lines->origin = through_lines->origin = hits.point;
-  back_lines->origin_error = through_lines->origin_error = hits.point_error;
-  back_lines->direction = met.mirrored;
-  through_lines->direction = fan.lines->direction;
   int const each = fan.lanes_each;
   absorb_fan(through, before, hits.t, each);
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; fades && k < n; ++k) {
     Beam const own = through.ray(static_cast<int>(k), each);
-    for (int c = 0; fades && c < each; ++c)
+    for (int c = 0; c < each; ++c)
       own.throughput[c] *= distance_fade(before, own.channel[c], hits.t[k]);
-    if (!splits && !unbent && met.n1[k] != met.n2[k])
-      through_lines->direction.set(k, met.refracted.get(k));
   }
   SplitWays ways;
   if (splits) ways = meet_split(fan, met, face);
@@ -289,28 +280,40 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
     if (!splits) spread(met, n, each, face, arena_);
     share_textured(fan, through, hits, met, face, after, here, back.throughput);
   }
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(met.below[k] < 0)) continue;
-    face.normal = face.geometric = met.normal.get(k);
-    back_lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
-  }
+  auto const lines_towards = [&](geometry::FanVectors const& direction) {
+    auto* const lines = arena_.take<FanLines>(1);
+    lines->count = n;
+    lines->origin.take(hits.point, n);
+    lines->origin_error.take(hits.point_error, n);
+    lines->direction.take(direction, n);
+    return lines;
+  };
   if (any_but_zero(back.throughput, back.lanes)) {
+    Arena::Scope const scope(arena_);
+    FanLines* const lines = lines_towards(met.mirrored);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!(met.below[k] < 0)) continue;
+      face.normal = face.geometric = met.normal.get(k);
+      lines->direction.set(k, mirrored_direction(fan.lines->direction.get(k), face));
+    }
     here.back.on = here.hit.members;
     here.back.through = false;
-    trace_lanes({back_lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each},
-                *back_lines, back, counts_.reflected);
+    trace_lanes({lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, *lines, back,
+                counts_.reflected);
   }
-  if (any_but_zero(through.throughput, through.lanes)) {
-    here.through.on = here.hit.members;
-    here.through.through = true;
-    if (splits) {
-      Medium const& governing = beyond.dispersive ? beyond : before;
-      split_fan(fan, hits, through, ways, governing.tolerance_px, after, here);
-      return true;
-    }
-    trace_lanes({through_lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each},
-                *through_lines, through, counts_.refracted);
+  if (!any_but_zero(through.throughput, through.lanes)) return true;
+  here.through.on = here.hit.members;
+  here.through.through = true;
+  if (splits) {
+    Medium const& governing = beyond.dispersive ? beyond : before;
+    split_fan(fan, hits, through, ways, governing.tolerance_px, after, here);
+    return true;
   }
+  FanLines* const lines = lines_towards(fan.lines->direction);
+  for (std::size_t k = 0; k < n; ++k)
+    if (met.n1[k] != met.n2[k]) lines->direction.set(k, met.refracted.get(k));
+  trace_lanes({lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each}, *lines,
+              through, counts_.refracted);
   return true;
 }
 
