@@ -11,7 +11,7 @@ namespace {
 constexpr std::array table{
     Family{"none", "no dispersion", "bands", "", "--dispersion none --bands {}"},
     Family{"deterministic", "one ray at the middle of each band", "bands", "",
-           "--dispersion deterministic --bands {}"},
+           "--dispersion deterministic --representation bands --bands {}"},
     Family{"stochastic", "one jittered ray a band, never split again", "bands", "",
            "--dispersion stochastic --bands {}", true},
     Family{"faithful", "jitter over two bands, fan-out 2 (as published)", "bands", "",
@@ -33,7 +33,7 @@ constexpr std::array table{
     Family{"blue_noise", "stochastic, neighbouring pixels far apart", "bands", "4 16",
            "--dispersion 'stochastic jitter blue_noise' --bands {}", true},
     Family{"hall", "deterministic, bands spaced after Hall", "bands", "",
-           "--dispersion deterministic --spacing hall --bands {}"},
+           "--dispersion deterministic --representation bands --spacing hall --bands {}"},
     Family{"composite", "deterministic, emission lines apart from the bands", "bands", "",
            "--dispersion deterministic --representation composite --bands {}", false, true},
     Family{"basis", "deterministic, K wavelengths fitted to the scene's colours", "size",

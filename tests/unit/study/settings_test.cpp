@@ -29,8 +29,9 @@ TEST(MakeSettings, CrossesModesBandsAndAntiAliasing) {
   ASSERT_EQ(settings->size(), 4u);
   EXPECT_EQ((*settings)[1].name, "deterministic 8");
   EXPECT_EQ((*settings)[3].name, "deterministic 8, aa 3/0");
-  EXPECT_THAT((*settings)[3].words, ElementsAre("--dispersion", "deterministic", "--bands", "8",
-                                                "--aa", "3", "--aa-threshold", "0"));
+  EXPECT_THAT((*settings)[3].words,
+              ElementsAre("--dispersion", "deterministic", "--representation", "bands", "--bands",
+                          "8", "--aa", "3", "--aa-threshold", "0"));
 }
 
 TEST(MakeSettings, NamesTheModesWhenOneIsUnknown) {
