@@ -125,11 +125,9 @@ Probe Prober::probe(plan::Overrides const& overrides, render::AntiAliasing const
   options.seed = seed;
   Stopwatch const since;
   auto made = render_patches(scene_, *plan, options, patches);
-  double const used_s = since.cpu_s() / threads_;
-  if (made.wall_s > longest_s_ && used_s > 0) {
-    longest_s_ = made.wall_s;
-    load_ = std::max(1.0, made.wall_s / used_s);
-  }
+  used_s_ += prepare_s_ + std::max(0.0, since.cpu_s() - prepare_s_) / threads_;
+  waited_s_ += made.wall_s;
+  if (used_s_ > 0) load_ = std::max(1.0, waited_s_ / used_s_);
   return made;
 }
 
@@ -235,22 +233,20 @@ Seen const& Prober::see_all(Place const& place) {
 double Prober::whole_s(Place const& place, double seconds) {
   auto off = place;
   off.aa = {0, 0};
-  if (!many_s_.contains(off))
-    many_s_[off] = look(off, spread_patches(options_.width, options_.height, calibration_patches,
-                                            patch_side, true))
-                       .seconds;
-  double const many_s = many_s_[off];
-  if (place.aa == off.aa || many_s <= prepare_s_) return many_s;
+  if (!many_.contains(off))
+    many_[off] = look(off, spread_patches(options_.width, options_.height, calibration_patches,
+                                          patch_side, true));
+  Seen const many = many_[off];
+  if (place.aa == off.aa) return many.seconds;
   double const a_pixel_s = see(place).seconds / pixels();
   auto const count =
       static_cast<int>(seconds / std::max(1e-12, load_ * a_pixel_s) / (patch_side * patch_side));
   auto const few =
       spread_patches(options_.width, options_.height,
                      std::clamp(count, fewest_patches, calibration_patches), patch_side, true);
-  double const fine_s = look(place, few).seconds - prepare_s_;
-  double const coarse_s = look(off, few).seconds - prepare_s_;
-  if (coarse_s <= 0) return many_s;
-  return prepare_s_ + (many_s - prepare_s_) * fine_s / coarse_s;
+  Seen const fine = look(place, few), coarse = look(off, few);
+  // Rays tell where the work is, and exactly; what a ray takes is told by the many of them.
+  return prepare_s_ + (fine.seconds - prepare_s_) * many.rays / std::max(1.0, coarse.rays);
 }
 
 Seen Prober::reckon(Place const& place, int depth) {

@@ -53,7 +53,7 @@ public:
   /// Share of the picture that is looked at.
   double share() const { return patches_.pixels / pixels(); }
 
-  /// How much longer than Seen::seconds the clock goes, by the longest render so far: other
+  /// How much longer than Seen::seconds the clock goes, by all looks so far: other
   /// programs run, and threads wait for each other.
   double load() const { return load_; }
   /// Fewer and smaller patches, where the coarsest reference would take longer than this.
@@ -75,8 +75,8 @@ public:
   Seen reckon(Place const& place, int depth);
   /// Deepest anti-aliasing that reckon() looks at.
   static constexpr int deepest_probe = 3;
-  /// What a setting takes for the whole picture: of many patches without anti-aliasing, times what
-  /// it takes more on a few of them. Looking takes about `seconds`.
+  /// What a setting takes for the whole picture: the rays of many patches without anti-aliasing,
+  /// times what more rays and time it takes on a few of them. Looking takes about `seconds`.
   double whole_s(Place const& place, double seconds);
   std::size_t count() const { return seen_.size() + seen_all_.size(); }
   render::AntiAliasing aa_of(Place const& place) const;
@@ -99,12 +99,12 @@ private:
   Patches patches_, some_; ///< the second: those that the first begins with
   bool spectral_ = false, disperses_ = false, composite_ = false;
   int given_bands_ = 0;
-  double prepare_s_ = 0, a_patch_s_ = 0, longest_s_ = 0, load_ = 1;
+  double prepare_s_ = 0, a_patch_s_ = 0, used_s_ = 0, waited_s_ = 0, load_ = 1;
   int threads_ = 1;
   std::vector<Vec3> reference_;
   double noise_ = 0, reference_rays_ = 0;
   std::map<Place, Seen> seen_, seen_all_;
-  std::map<Place, double> many_s_; ///< by setting without anti-aliasing
+  std::map<Place, Seen> many_; ///< of settings without anti-aliasing, on many patches
 };
 
 } // namespace abbe::study

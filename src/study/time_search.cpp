@@ -10,7 +10,7 @@ namespace {
 
 /// Of the time: what the picture may be expected to take while choosing goes on, and until when it
 /// goes on.
-constexpr double picture_share = 0.75, choosing_share = 0.22;
+constexpr double picture_share = 0.75, choosing_share = 0.18;
 /// A deeper grid than the renderer's deepest is not chosen.
 constexpr int deepest = 64;
 constexpr std::array thresholds{0.0, 0.03};
