@@ -80,13 +80,13 @@ int output_failed() {
   return 3;
 }
 
-/// What does not fit in memory and swap would be killed without a word: a failed allocation can be
-/// reported with its place.
+/// What does not fit in memory would page without end, or be killed without a word: a failed
+/// allocation can be reported with its place. An eighth is left for the rest of the machine.
 void limit_memory() {
 #if !ABBE_WITH_ADDRESS_SANITIZER // which reserves far more than it uses
   struct sysinfo machine {};
   if (sysinfo(&machine) != 0) return;
-  rlim_t const bytes = (rlim_t{machine.totalram} + machine.totalswap) * machine.mem_unit;
+  rlim_t const bytes = rlim_t{machine.totalram} / 8 * 7 * machine.mem_unit;
   rlimit limit{};
   if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
   limit.rlim_cur = bytes;
