@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/ast.hpp"
 
+#include "grammar/lexer.hpp"
+
+#include <algorithm>
+
 namespace abbe::ast {
+
+LiteralVector LiteralVectors::operator[](std::size_t i) const {
+  LiteralVector one;
+  one.size = size;
+  std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * size), size, one.values);
+  std::string_view const text = span.source->text();
+  grammar::Iterator const last = text.data() + text.size();
+  grammar::Iterator at = text.data() + begin[i];
+  while (*at != '>') at = *at == '/' ? std::max(at + 1, grammar::skip_blanks(at, last)) : at + 1;
+  one.span = {span.source, begin[i], static_cast<std::uint32_t>(at + 1 - text.data())};
+  return one;
+}
 
 Span span_of(Expr const& expression) {
   return visit([](auto const& node) { return node.span; }, expression);

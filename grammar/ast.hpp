@@ -179,6 +179,16 @@ struct Word {
   Span span;
   std::string text;
 };
+/// Many LiteralVectors of one size, one after another, in a fifth of the memory: the lists of mesh
+/// files, which are as long as these. Stands for as many items.
+struct LiteralVectors {
+  Span span; ///< from the first to the last
+  std::uint8_t size = 0;
+  std::vector<double> values;       ///< component by component
+  std::vector<std::uint32_t> begin; ///< where each begins in the source
+  std::size_t count() const { return begin.size(); }
+  LiteralVector operator[](std::size_t i) const;
+};
 /// `[ ... ]`: an entry of a map.
 struct Bracket {
   Span span;
@@ -263,9 +273,9 @@ struct Directive {
 };
 
 struct Item
-    : x3::variant<Expr, Word, Bracket, Punctuation, x3::forward_ast<If>, x3::forward_ast<While>,
-                  x3::forward_ast<For>, x3::forward_ast<Switch>, x3::forward_ast<Declare>,
-                  x3::forward_ast<Macro>, x3::forward_ast<Directive>> {
+    : x3::variant<Expr, Word, LiteralVectors, Bracket, Punctuation, x3::forward_ast<If>,
+                  x3::forward_ast<While>, x3::forward_ast<For>, x3::forward_ast<Switch>,
+                  x3::forward_ast<Declare>, x3::forward_ast<Macro>, x3::forward_ast<Directive>> {
   using base_type::base_type;
   using base_type::operator=;
 };

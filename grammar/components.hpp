@@ -61,6 +61,12 @@ struct ListDirective : x3::unary_parser<Subject, ListDirective<Subject>> {
       first = skip_blanks(first, last);
       while (first != last && (*first == ',' || at_lone_hash(first, last)))
         first = skip_blanks(first + 1, last);
+      if (first != last) {
+        if (ast::LiteralVectors run; scan_vectors(first, last, state_of(context), run)) {
+          items.emplace_back(std::move(run));
+          continue;
+        }
+      }
       items.emplace_back();
       if (!this->subject.parse(first, last, context, rcontext, items.back())) break;
     }

@@ -52,6 +52,9 @@ public:
       text += fmt::format("{}{}", i > 0 ? " " : "", node.values[i]);
     line("LiteralVector", node.span, text);
   }
+  void operator()(ast::LiteralVectors const& node) {
+    for (std::size_t i = 0; i < node.count(); ++i) (*this)(node[i]);
+  }
   void operator()(ast::Name const& node) {
     line("Name", node.span, node.text + (node.reserved ? " reserved" : ""));
   }

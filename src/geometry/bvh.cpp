@@ -5,7 +5,6 @@
 #include "geometry/treelets.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -164,16 +163,20 @@ struct Builder {
       std::array<int, few> at{};
       std::uint32_t filled = 0; // bins that have items, as bits
       for (std::uint32_t i = begin; i < end; ++i) filled |= 1U << (at[i - begin] = grid(refs[i]));
-      std::array<Bin, few> binned;
-      std::array<int, few> place{};
-      for (std::uint32_t i = begin; i < end; ++i) {
-        int const number = at[i - begin];
-        auto const to = static_cast<std::size_t>(std::popcount(filled & ((1U << number) - 1)));
-        place[to] = number;
-        binned[to].box.grow(refs[i].side);
-        ++binned[to].count;
+      std::array<int, bins> place{};
+      std::array<std::size_t, bins> rank{};
+      std::size_t size = 0;
+      for (std::size_t b = 0; b < bins; ++b) {
+        rank[b] = size;
+        place[size] = static_cast<int>(b);
+        size += (filled >> b) & 1U; // at most b + 1
       }
-      auto const size = static_cast<std::size_t>(std::popcount(filled));
+      std::array<Bin, few> binned;
+      for (std::uint32_t i = begin; i < end; ++i) {
+        Bin& bin = binned[rank[static_cast<std::size_t>(at[i - begin])]];
+        bin.box.grow(refs[i].side);
+        ++bin.count;
+      }
       better_plane(axis, {binned.data(), size}, place.data(), best);
     }
     return best;

@@ -11,12 +11,20 @@
 #include <pthread.h>
 #include <sstream>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace abbe::lang {
 namespace {
 
 /// Deeply nested scenes recurse deeply: evaluation has a thread of its own with a stack of 512 MB,
 /// of which only what is used is ever backed by memory (Interpreter::check_limits guards its end).
 constexpr std::size_t stack_size = std::size_t{512} << 20;
+
+/// Bytes of text from which on its trees are worth returning: a trim takes a tenth of a millisecond
+/// and more.
+constexpr std::size_t trees_that_count = std::size_t{1} << 20;
 
 struct Work {
   std::function<void()> run;
@@ -60,6 +68,14 @@ void declare_options(Interpreter& in) {
   }
 }
 
+/// What the trees took goes back to the system: the allocator keeps it for the thread that is gone,
+/// and the renderer would take as much again.
+void return_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
+
 Evaluated evaluate(std::string name, std::string text, std::filesystem::path const& folder,
                    EvaluateOptions const& options) {
   Evaluated result;
@@ -79,6 +95,7 @@ Evaluated evaluate(std::string name, std::string text, std::filesystem::path con
     result.texts.push_back(&source);
     result.scene = std::move(in.state.scene);
   });
+  if (source.text().size() > trees_that_count) return_memory();
   return result;
 }
 

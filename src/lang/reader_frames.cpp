@@ -28,6 +28,11 @@ struct ItemVisitor {
     reader.peek_.word = word.text;
     done = true;
   }
+  void operator()(ast::LiteralVectors const& vectors) {
+    reader.element_ = vectors[reader.frames_.back().element];
+    reader.classify(reader.element_);
+    done = true;
+  }
   void operator()(ast::Bracket const& bracket) {
     reader.set(Next::Bracket, bracket.span);
     reader.peek_.bracket = &bracket;
@@ -107,10 +112,18 @@ void ReaderImpl::consume() {
       ++frame.position;
     }
   } else {
-    ++frame.position;
+    advance(frame);
   }
   peek_.ready = false;
   asked_.clear();
+}
+
+void ReaderImpl::advance(Frame& frame) {
+  auto const* const many =
+      boost::relaxed_get<ast::LiteralVectors>(&(*frame.items)[frame.position].get());
+  if (many != nullptr && ++frame.element < many->count()) return;
+  frame.element = 0;
+  ++frame.position;
 }
 
 void ReaderImpl::enter_region(ast::Items const& items, Span span) {
@@ -183,7 +196,7 @@ ast::Expr const* ReaderImpl::take_expression() {
   bool const none = kind == Next::End || kind == Next::Bracket || kind == Next::Punctuation
                     || (kind == Next::Word && !peek_.undeclared);
   if (none) return nullptr;
-  ++frames_.back().position;
+  advance(frames_.back());
   peek_.ready = false;
   return peek_.expr;
 }

@@ -90,7 +90,8 @@ private:
     ast::Items const* items = nullptr;
     std::size_t position = 0;
     Kind kind = Kind::Splice;
-    std::uint8_t part = 0; ///< of an item that is a value and a parenthesised one: 1 done
+    std::uint32_t element = 0; ///< of an item that is many vectors
+    std::uint8_t part = 0;     ///< of an item that is a value and a parenthesised one: 1 done
     ast::Items const* tail = nullptr; ///< goes on inside the block that is the last item
     void const* loop = nullptr;       ///< the ast::While or ast::Switch
     Symbol counter = 0;               ///< of a For
@@ -126,6 +127,10 @@ private:
   void pop();
   void push(Frame&& frame);
   void consume();
+  /// Past the item, or the one of many vectors, that is next.
+  static void advance(Frame&);
+  /// Takes a vector of that size that stands there as such, without looking further.
+  bool take_literal(Numeric& n, int size);
   void set(Next, Span);
   void open_block(ast::Items const&, Span, std::string_view head);
   Numeric evaluate_peeked();
@@ -189,6 +194,7 @@ private:
   std::vector<Frame> frames_;
   std::vector<OpenBlock> open_blocks_;
   Peek peek_;
+  ast::Expr element_; ///< the one of many vectors that is next, as an expression
   std::vector<std::string_view> asked_;
   Span missing_at_;
   int macros_ = 0;

@@ -123,19 +123,30 @@ Numeric ReaderImpl::numeric(std::string_view name, int minimum) {
   return n.promoted(minimum);
 }
 
-Numeric ReaderImpl::vector(std::string_view name, int size) {
+bool ReaderImpl::take_literal(Numeric& n, int size) {
+  // What is next, peeked at or not, where no directive stands before it and no list ends here.
   Frame& frame = frames_.back();
-  if (!peek_.ready && frame.position < frame.items->size()) {
-    auto const* literal = plain<ast::LiteralVector>((*frame.items)[frame.position]);
-    if (literal && literal->size == size) {
-      Numeric n;
-      n.size = literal->size;
-      std::copy(literal->values, literal->values + 5, n.c.begin());
-      ++frame.position;
-      asked_.clear();
-      return n;
-    }
+  if (frame.position >= frame.items->size()) return false;
+  ast::Item const& item = (*frame.items)[frame.position];
+  if (auto const* many = boost::relaxed_get<ast::LiteralVectors>(&item.get())) {
+    if (many->size != size) return false;
+    auto const first = many->values.begin() + static_cast<std::ptrdiff_t>(frame.element) * size;
+    std::copy(first, first + size, n.c.begin());
+  } else if (auto const* literal = plain<ast::LiteralVector>(item)) {
+    if (literal->size != size) return false;
+    std::copy(literal->values, literal->values + 5, n.c.begin());
+  } else {
+    return false;
   }
+  n.size = static_cast<std::uint8_t>(size);
+  advance(frame);
+  peek_.ready = false;
+  asked_.clear();
+  return true;
+}
+
+Numeric ReaderImpl::vector(std::string_view name, int size) {
+  if (Numeric n; take_literal(n, size)) return n;
   if (next() != Next::Numeric) {
     missing(name, size_names[size]);
     return Numeric{}.promoted(size);

@@ -2,6 +2,7 @@
 #include "render/compile_objects.hpp"
 
 #include "geometry/shapes/mesh.hpp"
+#include "render/finish_numbers.hpp"
 
 #include <algorithm>
 #include <span>
@@ -230,27 +231,36 @@ private:
 
   std::vector<int> layers(scene::Layers const& textures) {
     std::vector<int> out;
+    out.reserve(textures.size());
     for (auto const& texture : textures) {
-      Transform const to_stage = texture.placement.then(to_stage_);
-      // Plain colours are the same everywhere, so the same texture in another place is the same
-      // layer.
       bool const plain = !texture.pigment.pattern;
-      auto const known = plain_layers_.find(&texture);
-      if (plain && known != plain_layers_.end()) {
-        out.push_back(known->second);
+      int const pigment = pigments_.add(texture.pigment);
+      if (!plain) {
+        out.push_back(add_layer(texture, pigment));
         continue;
       }
-      CompiledLayer layer;
-      layer.pigment = pigments_.add(texture.pigment);
-      layer.finish = compile_finish(texture.finish, scene_.settings, colours_);
-      if (plan_.is_off(scene::Switch::Reflection)) layer.finish.reflection.reset();
-      layer.to_texture_linear = to_stage.inverse_linear;
-      layer.to_texture_offset = to_stage.inverse_offset;
-      out.push_back(static_cast<int>(stage_.layers.size()));
-      stage_.layers.push_back(std::move(layer));
-      if (plain) plain_layers_.emplace(&texture, out.back());
+      // Plain colours are the same everywhere: one layer for all that have the same finish.
+      auto const finish = static_cast<std::uint64_t>(finishes_.of(texture.finish));
+      auto const [known, fresh] =
+          plain_layers_.try_emplace(static_cast<std::uint64_t>(pigment) << 32 | finish);
+      if (fresh) known->second = add_layer(texture, pigment);
+      out.push_back(known->second);
     }
     return out;
+  }
+
+  int add_layer(scene::Texture const& texture, int pigment) {
+    CompiledLayer layer;
+    layer.pigment = pigment;
+    layer.finish = compile_finish(texture.finish, scene_.settings, colours_);
+    if (plan_.is_off(scene::Switch::Reflection)) layer.finish.reflection.reset();
+    if (texture.pigment.pattern) {
+      Transform const to_stage = texture.placement.then(to_stage_);
+      layer.to_texture_linear = to_stage.inverse_linear;
+      layer.to_texture_offset = to_stage.inverse_offset;
+    }
+    stage_.layers.push_back(std::move(layer));
+    return static_cast<int>(stage_.layers.size()) - 1;
   }
 
   scene::Scene const& scene_;
@@ -262,7 +272,8 @@ private:
   Transform to_stage_ = Transform::translation(-scene_.camera.location);
   std::vector<geometry::PlacedShape> primitives_;
   std::vector<geometry::World::Solid> solids_;
-  std::unordered_map<scene::Texture const*, int> plain_layers_;
+  FinishNumbers finishes_;
+  std::unordered_map<std::uint64_t, int> plain_layers_; ///< by numbers of pigment and finish
 };
 
 } // namespace

@@ -4,8 +4,18 @@
 #include "optics/conductor.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace abbe::render {
+
+std::size_t PigmentCompiler::PlainHash::operator()(Plain const& plain) const {
+  std::uint64_t hash = 0;
+  for (double const number : plain) { // -0 and 0 are equal
+    hash = (hash ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
 
 int PigmentCompiler::add_shared(std::shared_ptr<scene::Pigment const> const& pigment) {
   auto const found = shared_.find(pigment.get());
@@ -30,7 +40,7 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
   }
   // A million objects may wear the same plain colour.
   scene::Colour const& c = pigment.colour;
-  std::vector<double> const key{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
+  Plain const key{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
   if (!c.spectrum) {
     auto const found = plain_.find(key);
     if (found != plain_.end()) return found->second;

@@ -3,7 +3,9 @@
 
 #include "render/colour_compiler.hpp"
 
+#include <array>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace abbe::render {
@@ -27,7 +29,12 @@ private:
   ColourCompiler& colours_;
   std::vector<CompiledPigment>& out_;
   std::map<scene::Pigment const*, int> shared_;
-  std::map<std::vector<double>, int> plain_;
+  /// rgb, filter, transmit.
+  using Plain = std::array<double, 5>;
+  struct PlainHash {
+    std::size_t operator()(Plain const& plain) const;
+  };
+  std::unordered_map<Plain, int, PlainHash> plain_;
 };
 
 CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const& settings,

@@ -87,6 +87,7 @@ def large(bench) -> list:
     count = 10 ** 5 if bench.quick else 10 ** 6
     rows = []
     for name, make in (('spheres', lambda path: scenes.spheres(path, count)),
+                       ('spheres of a #while with one texture', lambda path: scenes.sphere_loop(path, count)),
                        ('triangles in a mesh2', lambda path: scenes.mesh(path, round((count / 2) ** 0.5) + 1))):
         scene = bench.folder / 'large.pov'
         make(scene)

@@ -27,6 +27,20 @@ def spheres(path: pathlib.Path, count: int) -> None:
                       f'{numbers.random():.3f}, {numbers.random():.3f}> }} }}\n')
 
 
+def sphere_loop(path: pathlib.Path, count: int) -> None:
+    """spheres() out of a #while, all with one declared texture."""
+    radius = 0.6 * 10 / count ** (1 / 3) / 2
+    path.write_text(HEAD + LIGHT + f'''camera {{ location <0, 0, -18> look_at 0 angle 40 right x * image_width / image_height }}
+#declare T = texture {{ pigment {{ rgb <1, 0.5, 0.2> }} finish {{ phong 0.5 }} }}
+#declare S = seed(1);
+#declare I = 0;
+#while (I < {count})
+  sphere {{ <rand(S) * 10 - 5, rand(S) * 10 - 5, rand(S) * 10 - 5>, {radius:.5f} texture {{ T }} }}
+  #declare I = I + 1;
+#end
+''', encoding='utf-8')
+
+
 def mesh(path: pathlib.Path, side: int, digits: int = 6) -> None:
     """A height field as mesh2: side x side vertices, 2 (side - 1)^2 triangles."""
     step = 10 / side
