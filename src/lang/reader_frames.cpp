@@ -240,9 +240,14 @@ bool ReaderImpl::in_open_block() const {
 
 Span ReaderImpl::block_span() {
   if (in_open_block()) return open_blocks_.back().span;
+  Frame const* const block = this_block();
+  return block != nullptr ? block->span : Span{};
+}
+
+ReaderImpl::Frame* ReaderImpl::this_block() {
   for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
-    if (frame->kind == Frame::Kind::Block) return frame->span;
-  return {};
+    if (frame->kind == Frame::Kind::Block) return &*frame;
+  return nullptr;
 }
 
 ReaderImpl::Frame const& ReaderImpl::innermost_block() const {

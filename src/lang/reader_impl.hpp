@@ -187,8 +187,10 @@ private:
   };
   bool in_open_block() const;
   Frame const& innermost_block() const;
+  /// The frame of the block being read; null outside of all.
+  Frame* this_block();
   void taint();
-  bool tainted() const;
+  bool tainted();
 
   Interpreter& in_;
   std::vector<Frame> frames_;

@@ -44,17 +44,12 @@ std::string ReaderImpl::describe_next() {
 
 /// What the block says about its values now would only follow from the mistake already reported.
 void ReaderImpl::taint() {
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-    if (frame->kind != Frame::Kind::Block) continue;
-    frame->tainted = true;
-    return;
-  }
+  if (Frame* const block = this_block()) block->tainted = true;
 }
 
-bool ReaderImpl::tainted() const {
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
-    if (frame->kind == Frame::Kind::Block) return frame->tainted;
-  return false;
+bool ReaderImpl::tainted() {
+  Frame const* const block = this_block();
+  return block != nullptr && block->tainted;
 }
 
 /// Reports that a value is not there: once at a place, whatever else is missed there.

@@ -49,15 +49,21 @@ struct SplitWays {
   Vec3 get(int lane) const { return {x[lane], y[lane], z[lane]}; }
   SplitWays from(int lane) const { return {x + lane, y + lane, z + lane}; }
 };
-/// What the rays of a split have in common.
+/// Where the rays of a split start: those of one ray, or of some of a fan that split next to each
+/// other.
 struct SplitStart {
-  Vec3 point, point_error;
+  geometry::FanVectors const* points = nullptr;
+  geometry::FanVectors const* errors = nullptr;
+  std::size_t first = 0; ///< whose lanes come first
+  int lanes_each = 1;    ///< as many of the next
   geometry::Departure const* from = nullptr;
   InsideNode const* inside = nullptr;
   int level = 0;
   std::uint8_t mask = camera_bit;
+  std::size_t place(int lane) const { return first + static_cast<std::size_t>(lane / lanes_each); }
+  /// A ray of the first.
   PathRay towards(Vec3 const& direction) const {
-    return {{point, direction, point_error}, from, inside, level, mask, 0};
+    return {{points->get(first), direction, errors->get(first)}, from, inside, level, mask, 0};
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/pigment_compiler.hpp"
 
+#include "base/word_hash.hpp"
 #include "optics/conductor.hpp"
 
 #include <algorithm>
@@ -9,12 +10,10 @@
 namespace abbe::render {
 
 std::size_t PigmentCompiler::PlainHash::operator()(Plain const& plain) const {
-  std::uint64_t hash = 0;
-  for (double const number : plain) { // -0 and 0 are equal
-    hash = (hash ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9e3779b97f4a7c15ULL;
-    hash ^= hash >> 29;
-  }
-  return hash;
+  WordHash hash;
+  for (double const number : plain) // -0 and 0 are equal
+    hash.add(std::bit_cast<std::uint64_t>(number + 0.0));
+  return hash.value();
 }
 
 int PigmentCompiler::add_shared(std::shared_ptr<scene::Pigment const> const& pigment) {

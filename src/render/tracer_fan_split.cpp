@@ -34,45 +34,30 @@ SplitWays Tracer::meet_split(FanRay const& fan, FanInterface const& met, LaneInt
 void Tracer::split_fan(FanRay const& fan, geometry::FanHits const& hits, Beam const& passed,
                        SplitWays const& ways, double tolerance_px, InsideNode const* after,
                        Frame& here) {
-  int const each = fan.lanes_each, rays = passed.lanes / each, level = fan.level + 1;
+  int const each = fan.lanes_each, rays = passed.lanes / each;
   Beam apart = passed;
   apart.wave = band_means;
   apart.locked = true;
-  auto* lines = arena_.take<geometry::FanLines>(1);
-  auto const send = [&](int first, int count) {
-    for (int i = 0; i < count; ++i) {
-      auto const at = static_cast<std::size_t>(i);
-      auto const ray = static_cast<std::size_t>((first + i) / each);
-      lines->origin.set(at, hits.point.get(ray));
-      lines->origin_error.set(at, hits.point_error.get(ray));
-      lines->direction.set(at, ways.get(first + i));
-    }
-    lines->count = static_cast<std::size_t>(count);
-    trace_lanes({lines, &here.through, after, level, fan.mask, 1}, *lines, apart.from(first, count),
-                counts_.monochromatic);
-  };
+  SplitStart start{&hits.point, &hits.point_error, 0,       each, &here.through,
+                   after,       fan.level + 1,     fan.mask};
   auto const goes_on = [&](int ray) {
     return any_above(passed.throughput + ray * each, each, stage_.adc_bailout);
   };
-  constexpr int width = geometry::fan_width;
   for (int ray = 0, next = 0; ray < rays; ray = next) {
     next = ray + 1;
     if (!goes_on(ray)) {
       cut(passed.ray(ray, each), each);
       continue;
     }
-    if (tolerance_px > 0) {
-      auto const at = static_cast<std::size_t>(ray);
-      ++counts_.splits;
-      split_adaptively(
-          {hits.point.get(at), hits.point_error.get(at), &here.through, after, level, fan.mask},
-          apart.from(ray * each, each), ways.from(ray * each), tolerance_px);
-      continue;
-    }
-    while (next < rays && goes_on(next)) ++next;
+    // Those next to each other together, where each lane goes its own way.
+    while (!(tolerance_px > 0) && next < rays && goes_on(next)) ++next;
     counts_.splits += static_cast<std::uint64_t>(next - ray);
-    for (int first = ray * each; first < next * each; first += width)
-      send(first, std::min(width, next * each - first));
+    start.first = static_cast<std::size_t>(ray);
+    Beam const lanes = apart.from(ray * each, (next - ray) * each);
+    if (tolerance_px > 0)
+      split_adaptively(start, lanes, ways.from(ray * each), tolerance_px);
+    else
+      send_apart(start, lanes, ways.from(ray * each));
   }
 }
 

@@ -138,8 +138,11 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
     ways.y[k] = way.y;
     ways.z[k] = way.z;
   }
-  SplitStart const start{frame.hit.point, frame.hit.point_error, &frame.through,
-                         after,           ray.level + 1,         ray.mask};
+  auto* const places = arena_.take<geometry::FanVectors>(2);
+  places[0].set(0, frame.hit.point);
+  places[1].set(0, frame.hit.point_error);
+  SplitStart const start{places, places + 1,    0,       beam.lanes, &frame.through,
+                         after,  ray.level + 1, ray.mask};
   Beam apart = beam;
   apart.wave = face.split_wave;
   apart.locked = true;
@@ -159,8 +162,9 @@ void Tracer::send_apart(SplitStart const& start, Beam const& beam, SplitWays con
     Beam const some = beam.from(first, std::min(width, beam.lanes - first));
     for (int k = 0; k < some.lanes; ++k) {
       auto const at = static_cast<std::size_t>(k);
-      lines->origin.set(at, start.point);
-      lines->origin_error.set(at, start.point_error);
+      std::size_t const place = start.place(first + k);
+      lines->origin.set(at, start.points->get(place));
+      lines->origin_error.set(at, start.errors->get(place));
       lines->direction.set(at, ways.get(first + k));
     }
     lines->count = static_cast<std::size_t>(some.lanes);
