@@ -54,7 +54,7 @@ class Error(CliTest):
 
     def test_time(self):
         self.write('glass.scn', GLASS)
-        self.assertRegex(self.render('--time', '20', '-o', 'a.exr', scene='glass.scn').stderr, r'bands.*about')
+        self.assertRegex(self.render('--time', '4', '-o', 'a.exr', scene='glass.scn', timeout=600).stderr, r'bands.*about')
 
     def test_wrong_words(self):
         for words in (['--error', '0'], ['--error', 'x'], ['--time', '0'], ['--time', '3 moons'], ['--error', '1', '--time', '3']):
