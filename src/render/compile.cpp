@@ -124,4 +124,14 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   return stage;
 }
 
+bool Stage::mirrors(Surface const& surface) const {
+  auto const any = [&](std::vector<int> const& numbers) {
+    return std::any_of(numbers.begin(), numbers.end(), [&](int number) {
+      return layers[static_cast<std::size_t>(number)].finish.reflection.has_value();
+    });
+  };
+  return any(surface.layers) || any(surface.interior_layers)
+         || std::any_of(surface.face_layers.begin(), surface.face_layers.end(), any);
+}
+
 } // namespace abbe::render

@@ -102,8 +102,7 @@ void PathRecorder::begin(Tracer& tracer, int depth, PathRay const& line, Beam co
                                                                    : PathStep::Kind::Refracted;
   ray.step.lanes = beam.lanes;
   if (beam.monochromatic())
-    ray.step.lambda_nm =
-        tracer.waves_.lambdas_nm(beam.wave)[static_cast<std::size_t>(beam.wave_tooth)];
+    ray.step.lambda_nm = tracer.waves_.lambda_nm(beam.wave, beam.wave_tooth);
   for (int k = 0; k < beam.lanes; ++k)
     ray.step.in_order = ray.step.in_order && in_order(beam.throughput[k], negative_is_wrong_);
   rays_.push_back(ray);

@@ -26,15 +26,14 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << options.anti_aliasing.depth : 1),
       negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
 
-Sampled PixelSampler::at(double x, double y, RandomKey pixel, std::uint64_t index) {
+Sampled PixelSampler::at(Spot const& spot) {
+  auto const& [x, y, key] = spot;
   Sampled out;
-  SampleKey const key{pixel, index, static_cast<std::int64_t>(std::floor(x)),
-                      static_cast<std::int64_t>(std::floor(y)), frame_key_};
   if (options_.spectral_output) out.bands.resize(stage_.film_bands());
   auto const ray = camera_ray(stage_.camera, x, y, options_.width, options_.height);
   out.rgb = tracer_.sample(ray, key, out.bands);
   if (options_.check_finite && !wrong_)
-    if (auto const kind = tracer_.wrong(out.rgb, negative_is_wrong_))
+    if (auto const kind = tracer_.wrong(0, out.rgb, negative_is_wrong_))
       wrong_ = Wrong{*kind, x, y, key, out.rgb};
   return out;
 }
@@ -50,7 +49,9 @@ void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* ou
     rays.origin_error.set(k, ray.origin_error);
   }
   rays.fill();
-  tracer_.samples(rays);
+  SampleKey keys[geometry::fan_width];
+  for (std::size_t k = 0; k < count; ++k) keys[k] = spots[k].key;
+  tracer_.samples(rays, {keys, count});
   for (std::size_t k = 0; k < count; ++k) {
     out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
     out[k].rgb = tracer_.light_of(k, out[k].bands);
@@ -64,11 +65,10 @@ void PixelSampler::at_all(Spot const* spots, std::size_t count, Sampled* out) {
   std::size_t const most = tracer_.together() ? geometry::fan_width : 1;
   for (std::size_t first = 0; first < count; first += most) {
     std::size_t const some = std::min(most, count - first);
-    Spot const& spot = spots[first];
     if (some > 1)
       at_together(spots + first, some, out + first);
     else
-      out[first] = at(spot.x, spot.y, spot.key.pixel, spot.key.number);
+      out[first] = at(spots[first]);
   }
 }
 
@@ -76,8 +76,14 @@ RandomKey PixelSampler::key_of(int x, int y) const {
   return frame_key_.child(static_cast<std::uint64_t>(y)).child(static_cast<std::uint64_t>(x));
 }
 
+PixelSampler::Spot PixelSampler::spot(double x, double y, RandomKey pixel, std::uint64_t number) {
+  return {x, y,
+          SampleKey{pixel, number, static_cast<std::int64_t>(std::floor(x)),
+                    static_cast<std::int64_t>(std::floor(y)), frame_key_}};
+}
+
 Sampled PixelSampler::centre(int x, int y) {
-  return at(x + 0.5, y + 0.5, key_of(x, y), 0);
+  return at(spot(x + 0.5, y + 0.5, key_of(x, y), 0));
 }
 
 void PixelSampler::centres(int x, int y, std::size_t count, Sampled* out) {
@@ -85,7 +91,7 @@ void PixelSampler::centres(int x, int y, std::size_t count, Sampled* out) {
   ABBE_ASSERT(count <= geometry::fan_width);
   for (std::size_t k = 0; k < count; ++k) {
     int const at = x + static_cast<int>(k);
-    spots[k] = {at + 0.5, y + 0.5, {key_of(at, y), 0}};
+    spots[k] = spot(at + 0.5, y + 0.5, key_of(at, y), 0);
   }
   at_all(spots, count, out);
 }
@@ -104,7 +110,7 @@ Sampled PixelSampler::refined(int x, int y, Sampled const& centre) {
         dx += jitter * (sub.uniform(0) - 0.5);
         dy += jitter * (sub.uniform(1) - 0.5);
       }
-      spots_.push_back({x + (i + dx) / n, y + (j + dy) / n, {key, index}});
+      spots_.push_back(spot(x + (i + dx) / n, y + (j + dy) / n, key, index));
     }
   taken_.resize(spots_.size());
   at_all(spots_.data(), spots_.size(), taken_.data());
@@ -118,7 +124,7 @@ Sampled PixelSampler::corner(std::int64_t x, std::int64_t y) {
   auto const key = frame_key_.child(static_cast<std::uint64_t>(y) + 0x100000000ULL)
                        .child(static_cast<std::uint64_t>(x));
   auto const scale = static_cast<double>(grid_);
-  return at(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0);
+  return at(spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0));
 }
 
 Sampled PixelSampler::cell(std::int64_t x, std::int64_t y, std::int64_t size,

@@ -51,8 +51,9 @@ private:
     SampleKey key;
   };
   RandomKey key_of(int x, int y) const;
-  Sampled at(double x, double y, RandomKey pixel, std::uint64_t index);
-  /// at() for each, the same bits. @param count any
+  Spot spot(double x, double y, RandomKey pixel, std::uint64_t number);
+  Sampled at(Spot const& spot);
+  /// at() for each, with the same bits. @param count any
   void at_all(Spot const* spots, std::size_t count, Sampled* out);
   void at_together(Spot const* spots, std::size_t count, Sampled* out);
   Sampled corner(std::int64_t x, std::int64_t y);

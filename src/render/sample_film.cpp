@@ -13,7 +13,8 @@ bool doubles(optics::Comb const& comb) {
 
 } // namespace
 
-SampleFilm::SampleFilm(Stage const& stage, WaveTables const& waves) : stage_(stage) {
+SampleFilm::SampleFilm(Stage const& stage, WaveTables const& waves, std::size_t samples)
+    : stage_(stage) {
   auto const n = static_cast<std::uint32_t>(stage.channels);
   std::uint32_t slots = n;
   for (auto const& comb : stage.combs) {
@@ -29,38 +30,42 @@ SampleFilm::SampleFilm(Stage const& stage, WaveTables const& waves) : stage_(sta
     slots = part.end = part.picked_control + (comb.picks_one() ? n : 0);
     parts_.push_back(part);
   }
-  values_.resize(slots + std::size_t{1});
+  stride_ = slots + std::size_t{stage.combs.empty() ? 0U : 1U};
+  values_.resize(samples * stride_);
   plain_.resize(n);
 }
 
-void SampleFilm::start_sample() {
-  std::fill(values_.begin(), values_.end(), 0.0);
+void SampleFilm::start_samples(std::size_t count) {
+  std::fill_n(values_.begin(), count * stride_, 0.0);
 }
 
-bool SampleFilm::is_dark(int comb) const {
-  return std::all_of(values_.begin() + part(comb).light, values_.begin() + part(comb).end,
+bool SampleFilm::is_dark(double const* values, int comb) const {
+  return std::all_of(values + part(comb).light, values + part(comb).end,
                      [](double v) { return v == 0; });
 }
 
-Vec3 SampleFilm::resolve(WaveTables& waves, std::span<double> bands) const {
+Vec3 SampleFilm::resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
-  std::copy_n(values_.begin(), n, plain_.begin());
+  double const* const values = values_.data() + sample * stride_;
   std::fill(bands.begin(), bands.end(), 0.0);
   Vec3 rgb(0);
+  double const* plain = values;
   // A sample that never met these materials has nothing there: most of a picture.
   for (int j = 0; j < static_cast<int>(stage_.combs.size()); ++j) {
-    if (is_dark(j)) continue;
-    double const* control = values_.data() + control_slot(j, 0);
+    if (is_dark(values, j)) continue;
+    if (plain == values) std::copy_n(values, n, plain_.begin());
+    plain = plain_.data();
+    double const* control = values + part(j).control;
     for (std::size_t c = 0; c < n; ++c) plain_[c] += control[c];
     if (settings(j).picks_one())
-      for (std::size_t c = 0; c < n; ++c) plain_[c] += values_[picked_control_slot(j, 0) + c];
+      for (std::size_t c = 0; c < n; ++c) plain_[c] += values[part(j).picked_control + c];
     if (doubles(settings(j)))
-      resolve_doubled(waves, j);
+      resolve_doubled(sample, waves, j);
     else
-      rgb += resolve_teeth(waves, j, bands);
+      rgb += resolve_teeth(sample, waves, j, bands);
   }
-  for (std::size_t c = 0; c < n; ++c) rgb += plain_[c] * stage_.rgb_weights[c];
-  add_plain({plain_.data(), n}, bands);
+  for (std::size_t c = 0; c < n; ++c) rgb += plain[c] * stage_.rgb_weights[c];
+  add_plain({plain, n}, bands);
   return rgb;
 }
 
@@ -77,20 +82,13 @@ void SampleFilm::add_plain(std::span<double const> light, std::span<double> band
   }
 }
 
-Vec3 SampleFilm::resolve_plain(std::span<double const> light, std::span<double> bands) const {
-  Vec3 rgb(0);
-  for (std::size_t c = 0; c < light.size(); ++c) rgb += light[c] * stage_.rgb_weights[c];
-  std::fill(bands.begin(), bands.end(), 0.0);
-  add_plain(light, bands);
-  return rgb;
-}
-
-Vec3 SampleFilm::resolve_teeth(WaveTables& waves, int comb, std::span<double> bands) const {
+Vec3 SampleFilm::resolve_teeth(std::size_t sample, WaveTables& waves, int comb,
+                               std::span<double> bands) const {
   int const wave = waves.first_draw(comb);
-  double const* light = values_.data() + tooth_slot(comb, 0);
-  double const* control = values_.data() + control_slot(comb, 0);
-  auto const weights = waves.rgb_weights(wave);
-  auto const channels = waves.channels(wave);
+  double const* light = values_.data() + tooth_slot(sample, comb, 0);
+  double const* control = values_.data() + control_slot(sample, comb, 0);
+  auto const weights = waves.rgb_weights(wave, sample);
+  auto const channels = waves.channels(wave, sample);
   Vec3 rgb(0);
   auto const add = [&](std::size_t tooth, double change) {
     // A line is the same whatever is drawn.
@@ -100,25 +98,25 @@ Vec3 SampleFilm::resolve_teeth(WaveTables& waves, int comb, std::span<double> ba
     }
     rgb += change * weights[tooth];
     if (bands.empty()) return;
-    auto const& spread = waves.spreads(wave)[tooth];
+    auto const& spread = waves.spreads(wave, sample)[tooth];
     bands[static_cast<std::size_t>(spread.first)] += spread.first_weight * change;
     bands[static_cast<std::size_t>(spread.second)] += spread.second_weight * change;
   };
   for (std::size_t i = 0; i < weights.size(); ++i) add(i, light[i] - control[channels[i]]);
   if (!settings(comb).picks_one()) return rgb;
-  auto const pick = waves.pick(comb);
+  auto const pick = waves.pick(comb, sample);
   auto const tooth = static_cast<std::size_t>(pick.tooth);
-  add(tooth, values_[picked_slot(comb, pick.tooth)]
-                 - pick.weight * values_[picked_control_slot(comb, channels[tooth])]);
+  add(tooth, values_[picked_slot(sample, comb, pick.tooth)]
+                 - pick.weight * values_[picked_control_slot(sample, comb, channels[tooth])]);
   return rgb;
 }
 
-void SampleFilm::resolve_doubled(WaveTables& waves, int comb) const {
+void SampleFilm::resolve_doubled(std::size_t sample, WaveTables& waves, int comb) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
-  double const* light = values_.data() + tooth_slot(comb, 0);
-  double const* control = values_.data() + control_slot(comb, 0);
-  auto const first = waves.spreads(waves.first_draw(comb));
-  auto const second = waves.spreads(waves.second_draw(comb));
+  double const* light = values_.data() + tooth_slot(sample, comb, 0);
+  double const* control = values_.data() + control_slot(sample, comb, 0);
+  auto const first = waves.spreads(waves.first_draw(comb), sample);
+  auto const second = waves.spreads(waves.second_draw(comb), sample);
   auto const add = [&](int channel, double value) {
     auto const& spread = second[static_cast<std::size_t>(channel)];
     plain_[static_cast<std::size_t>(spread.first)] += spread.first_weight * value;
@@ -132,44 +130,50 @@ void SampleFilm::resolve_doubled(WaveTables& waves, int comb) const {
   }
 }
 
-Vec3 SampleFilm::doubled_colour(WaveTables& waves, int comb, int channel) const {
-  auto const& spread = waves.spreads(waves.second_draw(comb))[static_cast<std::size_t>(channel)];
+Vec3 SampleFilm::doubled_colour(std::size_t sample, WaveTables& waves, int comb,
+                                int channel) const {
+  auto const& spread =
+      waves.spreads(waves.second_draw(comb), sample)[static_cast<std::size_t>(channel)];
   return spread.first_weight * stage_.rgb_weights[static_cast<std::size_t>(spread.first)]
          + spread.second_weight * stage_.rgb_weights[static_cast<std::size_t>(spread.second)];
 }
 
 Vec3 SampleFilm::colour(std::uint32_t slot, WaveTables& waves) const {
   auto const n = static_cast<std::uint32_t>(stage_.channels);
-  if (slot < n) return stage_.rgb_weights[slot];
-  if (slot == unused_slot()) return Vec3(0);
+  std::size_t const sample = sample_of(slot);
+  std::uint32_t const own = slot - first(sample);
+  if (own < n) return stage_.rgb_weights[own];
+  if (slot == unused_slot(sample)) return Vec3(0);
   int comb = 0;
-  while (slot >= part(comb).end) ++comb;
-  return comb_colour(comb, slot, waves);
+  while (own >= part(comb).end) ++comb;
+  return comb_colour(sample, comb, own, waves);
 }
 
-Vec3 SampleFilm::comb_colour(int comb, std::uint32_t slot, WaveTables& waves) const {
+Vec3 SampleFilm::comb_colour(std::size_t sample, int comb, std::uint32_t slot,
+                             WaveTables& waves) const {
   Part const& p = part(comb);
-  auto const first = waves.spreads(waves.first_draw(comb));
+  auto const first = waves.spreads(waves.first_draw(comb), sample);
   if (doubles(settings(comb))) {
     if (slot < p.control) {
       auto const i = slot - p.light;
-      return doubled_colour(waves, comb, i % 2 == 0 ? first[i / 2].first : first[i / 2].second);
+      return doubled_colour(sample, waves, comb,
+                            i % 2 == 0 ? first[i / 2].first : first[i / 2].second);
     }
     auto const c = slot - p.control;
     Vec3 colour = stage_.rgb_weights[c];
     for (auto const& spread : first) {
       if (spread.first == static_cast<int>(c))
-        colour -= spread.first_weight * doubled_colour(waves, comb, spread.first);
+        colour -= spread.first_weight * doubled_colour(sample, waves, comb, spread.first);
       if (spread.second == static_cast<int>(c))
-        colour -= spread.second_weight * doubled_colour(waves, comb, spread.second);
+        colour -= spread.second_weight * doubled_colour(sample, waves, comb, spread.second);
     }
     return colour;
   }
   int const wave = waves.first_draw(comb);
-  auto const weights = waves.rgb_weights(wave);
+  auto const weights = waves.rgb_weights(wave, sample);
   if (slot < p.control) return weights[slot - p.light];
   if (slot >= p.picked && slot < p.picked_control) return weights[slot - p.picked];
-  auto const channels = waves.channels(wave);
+  auto const channels = waves.channels(wave, sample);
   if (slot < p.picked) {
     auto const c = slot - p.control;
     Vec3 colour = stage_.rgb_weights[c];
@@ -178,7 +182,7 @@ Vec3 SampleFilm::comb_colour(int comb, std::uint32_t slot, WaveTables& waves) co
     return colour;
   }
   auto const c = slot - p.picked_control;
-  auto const pick = waves.pick(comb);
+  auto const pick = waves.pick(comb, sample);
   auto const tooth = static_cast<std::size_t>(pick.tooth);
   return stage_.rgb_weights[c] - (channels[tooth] == c ? pick.weight * weights[tooth] : Vec3(0));
 }

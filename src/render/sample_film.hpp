@@ -10,15 +10,16 @@
 
 namespace abbe::render {
 
-/// Adds up the light of one camera sample.
+/// Adds up the light of the camera samples in work.
 ///
-/// Slots: first one a channel, whose value is the mean over that channel (all but light of combs),
-/// then for each comb one a tooth (two a band for the published scheme) and one a channel for its
-/// control light; for combs that pick one tooth, the same again for what came of the picks. The
-/// slot of tooth i holds light L_i of the wavelength lambda_i of this sample. Its colour is that of
-/// the wavelength: w_i, the colour-matching functions there times the width of its stratum; the
-/// mean of all w_i over the draws is white. Its share of the spectral film is spread over the two
-/// bands it falls between (research brief 1.3, 1.4).
+/// Slots of a sample, those of the next behind them: first one a channel, whose value is the mean
+/// over that channel (all but light of combs), then for each comb one a tooth (two a band for the
+/// published scheme) and one a channel for its control light; for combs that pick one tooth, the
+/// same again for what came of the picks. The slot of tooth i holds light L_i of the wavelength
+/// lambda_i of this sample. Its colour is that of the wavelength: w_i, the colour-matching
+/// functions there times the width of its stratum; the mean of all w_i over the draws is white. Its
+/// share of the spectral film is spread over the two bands it falls between (research
+/// brief 1.3, 1.4).
 ///
 /// Light of the same paths without dispersion, C_c of channel c, is the control variate: the sample
 /// is sum_c W_c C_c + sum_i w_i (L_i - C_c(i)). Its mean is that of sum_i w_i L_i whatever C is,
@@ -26,41 +27,52 @@ namespace abbe::render {
 /// Of what came of picks, only the picked tooth's difference counts, at 1 / its probability.
 class SampleFilm {
 public:
-  SampleFilm(Stage const& stage, WaveTables const& waves);
+  /// @param samples in work at a time, at most
+  SampleFilm(Stage const& stage, WaveTables const& waves, std::size_t samples);
 
-  void start_sample();
+  /// Their light is none.
+  void start_samples(std::size_t count);
   double* data() { return values_.data(); }
-  /// Of all slots that count.
-  std::span<double const> light() const { return {values_.data(), values_.size() - 1}; }
+  /// Of all samples.
   std::size_t size() const { return values_.size(); }
+  /// Of all slots of a sample that count.
+  std::span<double const> light(std::size_t sample) const {
+    return {values_.data() + sample * stride_, stride_ - (stage_.combs.empty() ? 0 : 1)};
+  }
+  /// Whose slot it is.
+  std::size_t sample_of(std::uint32_t slot) const { return slot / stride_; }
+  std::uint32_t channel_slot(std::size_t sample, int channel) const {
+    return first(sample) + static_cast<std::uint32_t>(channel);
+  }
 
-  std::uint32_t tooth_slot(int comb, int tooth) const {
-    return part(comb).light + static_cast<std::uint32_t>(tooth);
+  std::uint32_t tooth_slot(std::size_t sample, int comb, int tooth) const {
+    return first(sample) + part(comb).light + static_cast<std::uint32_t>(tooth);
   }
   /// Of the published scheme: `second` for the neighbouring band.
-  std::uint32_t doubled_slot(int comb, int band, bool second) const {
-    return part(comb).light + static_cast<std::uint32_t>(2 * band + (second ? 1 : 0));
+  std::uint32_t doubled_slot(std::size_t sample, int comb, int band, bool second) const {
+    return first(sample) + part(comb).light
+           + static_cast<std::uint32_t>(2 * band + (second ? 1 : 0));
   }
   bool has_control(int comb) const { return settings(comb).has_control(); }
-  std::uint32_t control_slot(int comb, int channel) const {
-    return part(comb).control + static_cast<std::uint32_t>(channel);
+  std::uint32_t control_slot(std::size_t sample, int comb, int channel) const {
+    return first(sample) + part(comb).control + static_cast<std::uint32_t>(channel);
   }
   /// The same for what comes of picks.
-  std::uint32_t picked_slot(int comb, int tooth) const {
-    return part(comb).picked + static_cast<std::uint32_t>(tooth);
+  std::uint32_t picked_slot(std::size_t sample, int comb, int tooth) const {
+    return first(sample) + part(comb).picked + static_cast<std::uint32_t>(tooth);
   }
-  std::uint32_t picked_control_slot(int comb, int channel) const {
-    return part(comb).picked_control + static_cast<std::uint32_t>(channel);
+  std::uint32_t picked_control_slot(std::size_t sample, int comb, int channel) const {
+    return first(sample) + part(comb).picked_control + static_cast<std::uint32_t>(channel);
   }
-  /// Light that is put here is lost.
-  std::uint32_t unused_slot() const { return static_cast<std::uint32_t>(values_.size() - 1); }
+  /// Light that is put here is lost. @pre there are combs
+  std::uint32_t unused_slot(std::size_t sample) const {
+    return first(sample) + static_cast<std::uint32_t>(stride_ - 1);
+  }
 
   /// What one unit of light in a slot adds to the sample, linear sRGB.
   Vec3 colour(std::uint32_t slot, WaveTables& waves) const;
-  /// Linear sRGB of the sample; with `bands` (one value a channel) its spectrum too.
-  Vec3 resolve(WaveTables& waves, std::span<double> bands) const;
-  /// The same of light by channel alone.
-  Vec3 resolve_plain(std::span<double const> light, std::span<double> bands) const;
+  /// Linear sRGB of a sample; with `bands` (one value a channel) its spectrum too.
+  Vec3 resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const;
 
 private:
   /// First slots of a comb, in this order, and the one after its last.
@@ -71,17 +83,22 @@ private:
   optics::Comb const& settings(int comb) const {
     return stage_.combs[static_cast<std::size_t>(comb)];
   }
-  bool is_dark(int comb) const;
+  std::uint32_t first(std::size_t sample) const {
+    return static_cast<std::uint32_t>(sample * stride_);
+  }
+  bool is_dark(double const* values, int comb) const;
   /// Adds light of the channels to the spectral film, where there is one.
   void add_plain(std::span<double const> light, std::span<double> bands) const;
   /// What dispersion changes, of one comb: the change of each tooth's light to the picture, and to
   /// the spectral film.
-  Vec3 resolve_teeth(WaveTables& waves, int comb, std::span<double> bands) const;
-  void resolve_doubled(WaveTables& waves, int comb) const;
-  Vec3 doubled_colour(WaveTables& waves, int comb, int channel) const;
-  Vec3 comb_colour(int comb, std::uint32_t slot, WaveTables& waves) const;
+  Vec3 resolve_teeth(std::size_t sample, WaveTables& waves, int comb,
+                     std::span<double> bands) const;
+  void resolve_doubled(std::size_t sample, WaveTables& waves, int comb) const;
+  Vec3 doubled_colour(std::size_t sample, WaveTables& waves, int comb, int channel) const;
+  Vec3 comb_colour(std::size_t sample, int comb, std::uint32_t slot, WaveTables& waves) const;
 
   Stage const& stage_;
+  std::size_t stride_ = 0; ///< slots of a sample
   std::vector<double> values_;
   std::vector<Part> parts_; ///< by comb
   mutable std::vector<double> plain_;

@@ -150,6 +150,8 @@ struct Stage {
     return spectral ? static_cast<std::size_t>(bands().count()) : 0;
   }
   double lambda_nm(int channel) const { return lambdas_nm[static_cast<std::size_t>(channel)]; }
+  /// Does any texture of a surface ask for `reflection`?
+  bool mirrors(Surface const& surface) const;
 };
 
 /// Flattens a scene. The plan says which transport is used.

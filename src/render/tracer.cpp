@@ -51,75 +51,72 @@ void CutLight::add(CutLight const& other) {
   worst_sample = std::max(worst_sample, other.worst_sample);
 }
 
+namespace {
+
+/// How many samples can go together, or 1.
+std::size_t samples_together(Stage const& stage) {
+  bool const perspective = stage.camera.kind == scene::Camera::Kind::Perspective;
+  if (stage.has_priorities || stage.has_leaks || (!perspective && stage.media.size() > 1)) return 1;
+  // Beams number the teeth of all.
+  constexpr std::size_t most_teeth =
+      std::numeric_limits<std::uint16_t>::max() / geometry::fan_width;
+  auto const extra = static_cast<std::size_t>(stage.channels);
+  bool const few = std::all_of(stage.combs.begin(), stage.combs.end(), [&](auto const& comb) {
+    return static_cast<std::size_t>(std::max(0, comb.teeth)) + extra <= most_teeth;
+  });
+  return few ? geometry::fan_width : 1;
+}
+
+} // namespace
+
 Tracer::Tracer(Stage const& stage, Footprint footprint)
     : stage_(stage),
       footprint_(footprint),
       scratch_(geometry::World::make_scratch()),
-      waves_(stage),
-      film_(stage, waves_) {
-  bool const perspective = stage.camera.kind == scene::Camera::Kind::Perspective;
-  together_ = stage.combs.empty() && !stage.has_priorities && !stage.has_leaks
-              && (perspective || stage.media.size() == 1);
-  auto const n = static_cast<std::size_t>(stage.channels);
-  std::size_t const lanes = together_ ? n * geometry::fan_width : n;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    all_channels_.push_back(static_cast<std::uint16_t>(i % n));
-    all_slots_.push_back(static_cast<std::uint32_t>(i));
-  }
-  std::size_t teeth = 0;
-  for (int i = 0; i < waves_.comb_count(); ++i)
-    teeth = std::max(teeth, static_cast<std::size_t>(waves_.teeth(i)));
-  all_teeth_ = all_channels_;
-  for (std::size_t i = all_teeth_.size(); i < teeth; ++i)
-    all_teeth_.push_back(static_cast<std::uint16_t>(i));
-  if (together_) together_light_.resize(lanes);
-  if (perspective) camera_inside_ = inside_at(Vec3(0));
+      waves_(stage, samples_together(stage)),
+      film_(stage, waves_, samples_together(stage)) {
+  std::size_t const most = samples_together(stage);
+  together_ = most > 1;
+  for (std::size_t sample = 0; sample < most; ++sample)
+    for (int channel = 0; channel < stage.channels; ++channel) {
+      all_channels_.push_back(static_cast<std::uint16_t>(channel));
+      all_slots_.push_back(film_.channel_slot(sample, channel));
+    }
+  if (stage.camera.kind == scene::Camera::Kind::Perspective) camera_inside_ = inside_at(Vec3(0));
+}
+
+Beam Tracer::start_samples(std::span<SampleKey const> keys) {
+  film_.start_samples(keys.size());
+  waves_.start_samples(keys);
+  out_ = film_.data();
+  out_size_ = film_.size();
+  Beam beam;
+  beam.lanes = stage_.channels * static_cast<int>(keys.size());
+  beam.channel = beam.tooth = all_channels_.data();
+  beam.slot = all_slots_.data();
+  beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
+  std::fill_n(beam.throughput, beam.lanes, 1.0);
+  counts_.camera += keys.size();
+  std::fill_n(cut_here_, keys.size(), Vec3(0));
+  return beam;
 }
 
 Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands) {
   Arena::Scope const scope(arena_);
-  film_.start_sample();
-  waves_.start_sample(key);
-  out_ = film_.data();
-  out_size_ = film_.size();
-  Beam beam;
-  beam.lanes = stage_.channels;
-  beam.channel = all_channels_.data();
-  beam.tooth = all_teeth_.data();
-  beam.slot = all_slots_.data();
-  beam.throughput = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
-  std::fill_n(beam.throughput, beam.lanes, 1.0);
+  Beam const beam = start_samples({&key, 1});
   PathRay path{ray, nullptr, camera_inside_, 0, camera_bit};
   if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
     path.inside = inside_at(ray.origin);
-  ++counts_.camera;
-  cut_here_[0] = Vec3(0);
   trace(path, beam);
   count_cut(cut_here_[0]);
-  return film_.resolve(waves_, bands);
+  return light_of(0, bands);
 }
 
-void Tracer::samples(geometry::FanLines const& rays) {
+void Tracer::samples(geometry::FanLines const& rays, std::span<SampleKey const> keys) {
   Arena::Scope const scope(arena_);
-  auto const n = static_cast<std::size_t>(stage_.channels) * rays.count;
-  std::fill_n(together_light_.begin(), n, 0.0);
-  out_ = together_light_.data();
-  out_size_ = together_light_.size();
-  Beam beam;
-  beam.lanes = static_cast<int>(n);
-  beam.channel = all_channels_.data();
-  beam.tooth = all_teeth_.data();
-  beam.slot = all_slots_.data();
-  beam.throughput = arena_.take<double>(n);
-  std::fill_n(beam.throughput, n, 1.0);
-  counts_.camera += rays.count;
-  std::fill_n(cut_here_, rays.count, Vec3(0));
+  Beam const beam = start_samples(keys);
   trace_fan({&rays, nullptr, camera_inside_, 0, camera_bit, stage_.channels}, beam);
-  for (std::size_t k = 0; k < rays.count; ++k) count_cut(cut_here_[k]);
-}
-
-Vec3 Tracer::light_of(std::size_t sample, std::span<double> bands) const {
-  return film_.resolve_plain(together_light(sample), bands);
+  for (std::size_t k = 0; k < keys.size(); ++k) count_cut(cut_here_[k]);
 }
 
 void Tracer::count_cut(Vec3 const& lost_colour) {
@@ -148,7 +145,7 @@ bool Tracer::cut_light_of(Beam const& beam, int lanes) {
                             : film_.colour(beam.slot[k], waves_));
   }
   if (sum == Vec3(0)) return false;
-  cut_here_[plain ? beam.slot[0] / static_cast<std::uint32_t>(stage_.channels) : 0] += sum;
+  cut_here_[sample_of(beam)] += sum;
   return true;
 }
 
@@ -235,7 +232,7 @@ InsideNode const* Tracer::after_crossings(InsideNode const* inside, geometry::Hi
 double Tracer::index_of(int medium, Beam const& beam) {
   Medium const& m = stage_.media[static_cast<std::size_t>(medium)];
   if (!m.dispersive || !beam.monochromatic()) return m.index_d;
-  return waves_.indices(medium, beam.wave)[static_cast<std::size_t>(beam.wave_tooth)];
+  return waves_.index(medium, beam.wave, beam.wave_tooth);
 }
 
 void Tracer::add_background(Vec3 const& direction, Beam const& beam) {

@@ -52,24 +52,23 @@ public:
 
   /// Light arriving along a camera ray. @param bands one value a channel, or empty
   Vec3 sample(geometry::Ray const& ray, SampleKey key, std::span<double> bands);
-  /// Can samples be traced together? Not where each has wavelengths of its own.
+  /// Can samples be traced together? Not where solids displace each other or are not closed.
   bool together() const { return together_; }
   /// sample() for neighbouring camera rays, with the same bits: at most fan_width of them, filled
-  /// up. The light is asked for by light_of(). @pre together()
-  void samples(geometry::FanLines const& rays);
-  Vec3 light_of(std::size_t sample, std::span<double> bands) const;
+  /// up, a key each. The light is asked for by light_of(). @pre together()
+  void samples(geometry::FanLines const& rays, std::span<SampleKey const> keys);
+  Vec3 light_of(std::size_t sample, std::span<double> bands) {
+    return film_.resolve(sample, waves_, bands);
+  }
+  /// Is the light of one of the last samples finite, and not negative where that is wrong?
   std::optional<BadSample::Kind> wrong(std::size_t sample, Vec3 const& rgb,
                                        bool negative_is_wrong) const {
-    return what_is_wrong(together_light(sample), rgb, negative_is_wrong);
+    return what_is_wrong(film_.light(sample), rgb, negative_is_wrong);
   }
 
   RayCounts const& counts() const { return counts_; }
   CutLight const& cut_light() const { return cut_; }
 
-  /// Is the light of the last sample finite, and not negative where that is wrong?
-  std::optional<BadSample::Kind> wrong(Vec3 const& rgb, bool negative_is_wrong) const {
-    return what_is_wrong(film_.light(), rgb, negative_is_wrong);
-  }
   /// Tells this recorder of every ray from now on. @pre no sample was traced yet
   void record(PathRecorder& recorder) {
     recorder_ = &recorder;
@@ -88,6 +87,8 @@ private:
   };
 
   // tracer.cpp
+  /// The light of some samples as it leaves the camera.
+  Beam start_samples(std::span<SampleKey const> keys);
   void trace(PathRay const& ray, Beam const& beam);
   /// Notes a beam that is not followed.
   void cut(Beam const& beam, int lanes);
@@ -129,28 +130,44 @@ private:
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     std::size_t first, std::size_t count, Frame& frame);
   /// The same where fan_normals() knows the normals, which are in `met`. @return false, with
-  /// nothing done, where a comb says how the rays are split
+  /// nothing done, where each ray has to go alone
   bool interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
                     FanInterface& met, Frame& frame);
-  /// What the textures that a fan met return of the light, and leave of it. @param face its arrays
-  /// have the lanes of all
-  void share_textured(FanRay const& fan, Beam& light, geometry::FanHits const& hits,
-                      FanInterface const& met, LaneInterface& face, InsideNode const* after,
-                      Frame& here, double* returns);
+  /// The media beyond a surface, and how the light is to be split there.
+  void find_split(FanRay const& fan, Beam const& incoming, InsideNode const* after,
+                  LaneInterface& face);
+  /// Where a fan met a surface: what the rest of its way needs.
+  struct FanMet {
+    FanRay const& fan;
+    geometry::FanHits const& hits;
+    FanInterface const& met;
+    InsideNode const* after;
+    Frame& here;
+  };
+  /// What the surface returns and what goes on of the light, and its way from there.
+  void share_and_go_on(FanMet const& at, Beam& through, LaneInterface& face);
+  /// What a surface returns of the light, and leaves of it. @return what its textures let pass,
+  /// a lane; null: all
+  double* share(FanMet const& at, Beam& light, LaneInterface& face, double* returns);
+  /// The same where it has textures. @param face its arrays have the lanes of all
+  double* share_textured(FanMet const& at, Beam& light, LaneInterface& face, double* returns);
+  void go_on(FanMet const& at, Beam const& back, Beam const& through, LaneInterface& face,
+             SplitWays const& ways);
+
+  // tracer_fan_split.cpp
   /// Fresnel and Snell of each lane of rays that are split: LaneInterface's arrays.
-  SplitWays meet_split(FanRay const& fan, FanInterface const& met, LaneInterface& face);
+  SplitWays meet_split(FanMet const& at, Beam const& beam, LaneInterface& face);
   /// split() for the rays of a fan: what `passed` goes on a ray a lane.
-  void split_fan(FanRay const& fan, geometry::FanHits const& hits, Beam const& passed,
-                 SplitWays const& ways, double tolerance_px, InsideNode const* after, Frame& here);
+  void split_fan(FanMet const& at, Beam const& passed, LaneInterface const& face,
+                 SplitWays const& ways);
+  /// meet_comb() for the rays of a fan. @pre the surface does not mirror by `reflection`
+  void meet_comb_fan(FanMet const& at, Beam const& light, LaneInterface& face);
+
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);
   /// Of a medium, for each ray of a fan; whole lanes.
   void find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
                     double* out);
-  std::span<double const> together_light(std::size_t sample) const {
-    auto const n = static_cast<std::size_t>(stage_.channels);
-    return {together_light_.data() + sample * n, n};
-  }
 
   // tracer_interface.cpp
   void interact(PathRay const& ray, Beam& beam, Frame& frame);
@@ -190,9 +207,8 @@ private:
   /// A split in the published scheme: lane by lane, as each becomes two.
   void split_doubled(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                      InsideNode const* after);
-  /// One tooth goes on, for all.
-  void split_picked(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
-                    InsideNode const* after);
+  /// The same where one tooth of a comb goes on for all of a ray.
+  void send_picked(SplitStart const& start, Beam const& beam, SplitWays const& ways);
   /// Lanes go together where their neighbours' routes agree within the tolerance.
   void split_adaptively(SplitStart const& start, Beam const& beam, SplitWays const& ways,
                         double tolerance_px);
@@ -215,11 +231,14 @@ private:
   /// light that goes with them, on slots of their own.
   void meet_comb(PathRay const& ray, Beam const& beam, Frame& frame, LaneInterface const& face,
                  InsideNode const* after);
-  /// The beam with a lane a tooth.
-  Beam combed(Beam const& beam, int comb);
+  /// The beam of so many rays with a lane a tooth.
+  Beam combed(Beam const& beam, int comb, int rays);
   /// The published scheme: every lane becomes two, of the bands that its wavelength falls between.
   Beam doubled(Beam const& beam, int comb);
+  std::uint32_t const* control_slots(Beam const& control);
   std::uint32_t const* picked_control_slots(Beam const& control);
+  /// Of whose light a beam is: of its first lane.
+  std::size_t sample_of(Beam const& beam) const { return film_.sample_of(beam.slot[0]); }
   /// The beam, its light to be lost.
   Beam unlit(Beam const& beam);
 
@@ -248,10 +267,9 @@ private:
       nullptr; ///< where light is added: the film, or a capture for `reflection exponent`
   std::size_t out_size_ = 0;
   bool together_ = false;
-  std::vector<double> together_light_; ///< of samples(): one a channel for the first, the next ..
+  // Of polychromatic beams: a lane a channel of the first sample, then of the next.
   std::vector<std::uint16_t> all_channels_;
   std::vector<std::uint32_t> all_slots_;
-  std::vector<std::uint16_t> all_teeth_;
   InsideNode const* camera_inside_ = nullptr;
   Arena camera_arena_;
   RayCounts counts_;

@@ -15,13 +15,11 @@ void Tracer::reflect_bent(PathRay const& next, Beam const& mirrored, double expo
   // is parted here, as by stochastic material.
   Arena::Scope const scope(arena_);
   bool const doubles = stage_.combs[0].follow == optics::Comb::Follow::Doubled;
-  bend(next, doubles ? doubled(mirrored, 0) : combed(mirrored, 0), exponent);
+  bend(next, doubles ? doubled(mirrored, 0) : combed(mirrored, 0, 1), exponent);
   Beam control = mirrored;
   control.comb = 0;
   control.control = true;
-  auto* slot = arena_.take<std::uint32_t>(static_cast<std::size_t>(control.lanes));
-  for (int k = 0; k < control.lanes; ++k) slot[k] = film_.control_slot(0, control.channel[k]);
-  control.slot = slot;
+  control.slot = control_slots(control);
   bend(next, control, exponent);
 }
 
@@ -76,14 +74,17 @@ std::optional<Tracer::Picked> Tracer::pick_of(Beam const& beam, int lane) {
       || stage_.spectral->is_line(beam.channel[lane]))
     return std::nullopt;
   std::uint32_t const slot = beam.slot[lane];
+  std::size_t const sample = film_.sample_of(slot);
+  int const comb = beam.comb;
   if (beam.control) {
-    if (slot != film_.control_slot(beam.comb, beam.channel[lane])) return std::nullopt;
-    return Picked{film_.picked_control_slot(beam.comb, beam.channel[lane]), 1, true};
+    int const channel = beam.channel[lane];
+    if (slot != film_.control_slot(sample, comb, channel)) return std::nullopt;
+    return Picked{film_.picked_control_slot(sample, comb, channel), 1, true};
   }
-  if (slot != film_.tooth_slot(beam.comb, beam.tooth[lane])) return std::nullopt;
-  auto const pick = waves_.pick(beam.comb);
-  return Picked{film_.picked_slot(beam.comb, beam.tooth[lane]), pick.weight,
-                beam.tooth[lane] == pick.tooth};
+  int const tooth = beam.tooth[lane] - waves_.first_tooth(comb, sample);
+  if (slot != film_.tooth_slot(sample, comb, tooth)) return std::nullopt;
+  auto const pick = waves_.pick(comb, sample);
+  return Picked{film_.picked_slot(sample, comb, tooth), pick.weight, tooth == pick.tooth};
 }
 
 } // namespace abbe::render

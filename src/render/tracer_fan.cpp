@@ -151,8 +151,11 @@ bool Tracer::fan_normals(FanHits const& hits, std::size_t count, geometry::FanVe
 void Tracer::find_indices(Medium const& medium, int number, Beam const& beam, std::size_t rays,
                           double* out) {
   if (medium.dispersive && beam.monochromatic()) {
-    auto const of_wave = waves_.indices(number, beam.wave);
-    for (std::size_t k = 0; k < rays; ++k) out[k] = of_wave[beam.tooth[k]];
+    if (beam.wave == band_means)
+      for (std::size_t k = 0; k < rays; ++k) out[k] = medium.index[beam.tooth[k]];
+    else
+      for (std::size_t k = 0; k < rays; ++k)
+        out[k] = waves_.index(number, beam.wave, beam.tooth[k]);
   } else {
     std::fill_n(out, rays, medium.index_d);
   }
@@ -192,9 +195,9 @@ void spread(FanInterface const& met, std::size_t rays, int each, LaneInterface& 
 
 } // namespace
 
-void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
-                            FanInterface const& met, LaneInterface& face, InsideNode const* after,
-                            Frame& here, double* returns) {
+double* Tracer::share_textured(FanMet const& at, Beam& light, LaneInterface& face,
+                               double* returns) {
+  auto const& [fan, hits, met, after, here] = at;
   std::size_t const n = fan.lines->count;
   int const each = fan.lanes_each;
   auto const is_total = [](bool total) { return total; };
@@ -233,6 +236,27 @@ void Tracer::share_textured(FanRay const& fan, Beam& light, FanHits const& hits,
     }
     for (int c = 0; c < each; ++c) arriving.throughput[c] *= own.passed_weight(lanes, c);
   }
+  return surface.passed;
+}
+
+void Tracer::find_split(FanRay const& fan, Beam const& incoming, InsideNode const* after,
+                        LaneInterface& face) {
+  face.before = medium_of(fan.inside);
+  face.after = medium_of(after);
+  Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
+  Medium const& beyond = stage_.media[static_cast<std::size_t>(face.after)];
+  face.fresnel = before.fresnel || beyond.fresnel;
+  face.split_medium = beyond.dispersive ? face.after : face.before;
+  Medium const& governing = beyond.dispersive ? beyond : before;
+  bool const disperses = !incoming.locked && face.before != face.after && governing.dispersive;
+  face.comb = incoming.comb != no_comb ? incoming.comb : governing.comb;
+  face.splits = disperses && !(incoming.control && face.comb != no_comb);
+  face.split_wave = band_means;
+  if (!disperses || face.comb == no_comb) return;
+  auto const& comb = stage_.combs[static_cast<std::size_t>(face.comb)];
+  face.doubles = face.splits && comb.follow == optics::Comb::Follow::Doubled;
+  face.picks = comb.picks_one();
+  face.split_wave = waves_.first_draw(face.comb);
 }
 
 bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const& hits,
@@ -241,45 +265,65 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   hits.write(0, here.hit);
   LaneInterface face;
   InsideNode const* const after = after_crossings(fan.inside, here.hit);
-  face.before = medium_of(fan.inside);
-  face.after = medium_of(after);
+  find_split(fan, incoming, after, face);
+  Surface const& surface = stage_.surfaces[hits.hit[0].primitive];
+  bool const meets_comb = face.splits && face.comb != no_comb && incoming.comb == no_comb;
+  if (face.doubles || (meets_comb && stage_.mirrors(surface))) return false;
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   Medium const& beyond = stage_.media[static_cast<std::size_t>(face.after)];
-  bool const splits =
-      !incoming.locked && face.before != face.after && (before.dispersive || beyond.dispersive);
-  if (splits && !stage_.combs.empty()) return false;
-  face.fresnel = before.fresnel || beyond.fresnel;
-  bool const fades = fan.inside != after && before.fade_power != 0;
   for (std::size_t k = n; k % 4 != 0; ++k) met.normal.set(k, met.normal.get(n - 1));
-  if (!splits) {
+  bool const alone = face.splits && !meets_comb; // each wavelength has an index of its own
+  if (!alone) {
     find_indices(before, face.before, incoming, n, met.n1);
     find_indices(beyond, face.after, incoming, n, met.n2);
   }
-  bool const unbent = !splits && std::equal(met.n1, met.n1 + n, met.n2);
-  if (splits || unbent)
+  if (alone || std::equal(met.n1, met.n1 + n, met.n2))
     meet_fan_unbent(fan.lines->direction, n, met);
   else
     meet_fan(fan.lines->direction, n, met);
 
-  Beam back = incoming, through = incoming;
-  back.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
+  int const each = fan.lanes_each;
+  Beam through = incoming;
   through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
-  int const each = fan.lanes_each;
   absorb_fan(through, before, hits.t, each);
+  bool const fades = fan.inside != after && before.fade_power != 0;
   for (std::size_t k = 0; fades && k < n; ++k) {
     Beam const own = through.ray(static_cast<int>(k), each);
     for (int c = 0; c < each; ++c)
       own.throughput[c] *= distance_fade(before, own.channel[c], hits.t[k]);
   }
-  SplitWays ways;
-  if (splits) ways = meet_split(fan, met, face);
-  if (!splits && stage_.surfaces[hits.hit[0].primitive].bare()) {
-    share_bare(met, face.fresnel, n, each, back.throughput, through.throughput);
-  } else {
-    if (!splits) spread(met, n, each, face, arena_);
-    share_textured(fan, through, hits, met, face, after, here, back.throughput);
+  FanMet const meeting{fan, hits, met, after, here};
+  if (meets_comb)
+    meet_comb_fan(meeting, through, face);
+  else
+    share_and_go_on(meeting, through, face);
+  return true;
+}
+
+void Tracer::share_and_go_on(FanMet const& at, Beam& through, LaneInterface& face) {
+  Beam back = through;
+  back.throughput = arena_.take<double>(static_cast<std::size_t>(through.lanes));
+  SplitWays const ways = face.splits ? meet_split(at, through, face) : SplitWays{};
+  share(at, through, face, back.throughput);
+  go_on(at, back, through, face, ways);
+}
+
+double* Tracer::share(FanMet const& at, Beam& light, LaneInterface& face, double* returns) {
+  std::size_t const n = at.fan.lines->count;
+  if (!face.splits && stage_.surfaces[at.hits.hit[0].primitive].bare()) {
+    share_bare(at.met, face.fresnel, n, at.fan.lanes_each, returns, light.throughput);
+    return nullptr;
   }
+  if (!face.splits) spread(at.met, n, at.fan.lanes_each, face, arena_);
+  return share_textured(at, light, face, returns);
+}
+
+void Tracer::go_on(FanMet const& at, Beam const& back, Beam const& through, LaneInterface& face,
+                   SplitWays const& ways) {
+  auto const& [fan, hits, met, after, here] = at;
+  std::size_t const n = fan.lines->count;
+  int const each = fan.lanes_each;
   auto const lines_towards = [&](geometry::FanVectors const& direction) {
     auto* const lines = arena_.take<FanLines>(1);
     lines->count = n;
@@ -301,20 +345,18 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
     trace_lanes({lines, &here.back, fan.inside, fan.level + 1, reflection_bit, each}, *lines, back,
                 counts_.reflected);
   }
-  if (!any_but_zero(through.throughput, through.lanes)) return true;
+  if (!any_but_zero(through.throughput, through.lanes)) return;
   here.through.on = here.hit.members;
   here.through.through = true;
-  if (splits) {
-    Medium const& governing = beyond.dispersive ? beyond : before;
-    split_fan(fan, hits, through, ways, governing.tolerance_px, after, here);
-    return true;
-  }
+  if (face.splits) return split_fan(at, through, face, ways);
   FanLines* const lines = lines_towards(fan.lines->direction);
   for (std::size_t k = 0; k < n; ++k)
     if (met.n1[k] != met.n2[k]) lines->direction.set(k, met.refracted.get(k));
+  bool const unbent = std::equal(met.n1, met.n1 + n, met.n2);
+  Beam passed = through;
+  if (face.picks) passed.slot = picked_control_slots(passed);
   trace_lanes({lines, &here.through, after, fan.level + (unbent ? 0 : 1), fan.mask, each}, *lines,
-              through, counts_.refracted);
-  return true;
+              passed, counts_.refracted);
 }
 
 } // namespace abbe::render

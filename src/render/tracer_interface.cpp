@@ -73,11 +73,15 @@ void Tracer::find_interface(Beam const& beam, Vec3 const& direction, LaneInterfa
   face.split_wave = !comb                                  ? band_means
                     : face.doubles && beam.comb != no_comb ? waves_.second_draw(face.comb)
                                                            : waves_.first_draw(face.comb);
-  auto const n1 = waves_.indices(face.before, face.split_wave);
-  auto const n2 = waves_.indices(face.after, face.split_wave);
+  // What meets its first comb gets the teeth of it next (meet_comb).
+  if (comb && beam.comb == no_comb && !face.doubles) return;
+  std::size_t const sample = sample_of(beam);
+  auto const n1 = waves_.indices(face.before, face.split_wave, sample);
+  auto const n2 = waves_.indices(face.after, face.split_wave, sample);
+  int const first = beam.comb == no_comb ? 0 : waves_.first_tooth(beam.comb, sample);
   face.per_lane = arena_.take<optics::Interface<double>>(n);
   for (std::size_t k = 0; k < n; ++k) {
-    auto const c = beam.tooth[k];
+    auto const c = static_cast<std::size_t>(beam.tooth[k] - first);
     face.per_lane[k] = optics::fresnel<double>(n1[c], n2[c], n2[c] - n1[c], cos_i, sin2_i);
     face.reflectance[k] = face.per_lane[k].reflectance;
     face.transmittance[k] = face.per_lane[k].transmittance;

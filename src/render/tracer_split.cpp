@@ -29,53 +29,69 @@ LaneSurface for_teeth(LaneSurface const& surface, Beam const& beam, Beam const& 
 Beam Tracer::unlit(Beam const& beam) {
   auto const n = static_cast<std::size_t>(beam.lanes);
   auto* slot = arena_.take<std::uint32_t>(n);
-  std::fill_n(slot, n, film_.unused_slot());
+  std::fill_n(slot, n, film_.unused_slot(sample_of(beam)));
   Beam out = beam;
   out.slot = slot;
   return out;
 }
 
-Beam Tracer::combed(Beam const& beam, int comb) {
-  auto const channels = waves_.channels(waves_.first_draw(comb));
+Beam Tracer::combed(Beam const& beam, int comb, int rays) {
+  int const each = waves_.teeth(comb), before = beam.lanes / rays;
+  auto const lanes = static_cast<std::size_t>(each) * static_cast<std::size_t>(rays);
+  auto* const channel = arena_.take<std::uint16_t>(lanes);
+  auto* const tooth = arena_.take<std::uint16_t>(lanes);
+  auto* const slot = arena_.take<std::uint32_t>(lanes);
   Beam out = beam;
   out.comb = comb;
-  out.lanes = static_cast<int>(channels.size());
-  out.channel = channels.data();
-  out.tooth = all_teeth_.data();
-  out.throughput = arena_.take<double>(channels.size());
-  auto* slot = arena_.take<std::uint32_t>(channels.size());
-  bool const apart = film_.has_control(comb);
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    // Part of a polychromatic beam has the lanes of neighbouring channels.
-    int const k = channels[i] - beam.channel[0];
-    out.throughput[i] = k >= 0 && k < beam.lanes ? beam.throughput[k] : 0;
-    slot[i] = apart ? film_.tooth_slot(comb, static_cast<int>(i)) : static_cast<std::uint32_t>(i);
-  }
+  out.lanes = each * rays;
+  out.channel = channel;
+  out.tooth = tooth;
   out.slot = slot;
+  out.throughput = arena_.take<double>(lanes);
+  bool const apart = film_.has_control(comb);
+  for (int ray = 0, at = 0; ray < rays; ++ray) {
+    Beam const own = beam.ray(ray, before);
+    std::size_t const sample = sample_of(own);
+    auto const channels = waves_.channels(waves_.first_draw(comb), sample);
+    int const first = waves_.first_tooth(comb, sample);
+    for (int i = 0; i < each; ++i, ++at) {
+      channel[at] = channels[static_cast<std::size_t>(i)];
+      tooth[at] = static_cast<std::uint16_t>(first + i);
+      slot[at] = apart ? film_.tooth_slot(sample, comb, i) : film_.channel_slot(sample, i);
+      // Part of a polychromatic beam has the lanes of neighbouring channels.
+      int const k = channel[at] - own.channel[0];
+      out.throughput[at] = k >= 0 && k < before ? own.throughput[k] : 0;
+    }
+  }
   return out;
 }
 
 Beam Tracer::doubled(Beam const& beam, int comb) {
   auto const n = static_cast<std::size_t>(beam.lanes);
+  std::size_t const sample = sample_of(beam);
+  int const first_tooth = waves_.first_tooth(comb, sample);
   auto* channel = arena_.take<std::uint16_t>(2 * n);
+  auto* tooth = arena_.take<std::uint16_t>(2 * n);
   auto* slot = arena_.take<std::uint32_t>(2 * n);
   Beam out = beam;
   out.comb = comb;
   out.lanes = 2 * beam.lanes;
   out.locked = false;
   out.throughput = arena_.take<double>(2 * n);
-  auto const spreads = waves_.spreads(waves_.first_draw(comb));
+  auto const spreads = waves_.spreads(waves_.first_draw(comb), sample);
   for (std::size_t k = 0; k < n; ++k) {
     auto const& spread = spreads[beam.channel[k]];
     channel[2 * k] = static_cast<std::uint16_t>(spread.first);
     channel[2 * k + 1] = static_cast<std::uint16_t>(spread.second);
-    slot[2 * k] = film_.doubled_slot(comb, beam.channel[k], false);
-    slot[2 * k + 1] = film_.doubled_slot(comb, beam.channel[k], true);
+    for (std::size_t i : {2 * k, 2 * k + 1}) {
+      tooth[i] = static_cast<std::uint16_t>(first_tooth + channel[i]);
+      slot[i] = film_.doubled_slot(sample, comb, beam.channel[k], i % 2 == 1);
+    }
     out.throughput[2 * k] = beam.throughput[k] * spread.first_weight;
     out.throughput[2 * k + 1] = beam.throughput[k] * spread.second_weight;
   }
   out.channel = channel;
-  out.tooth = channel; // the second draw has a wavelength a band
+  out.tooth = tooth; // the second draw has a wavelength a band
   out.slot = slot;
   return out;
 }
@@ -86,7 +102,16 @@ std::uint32_t const* Tracer::picked_control_slots(Beam const& control) {
   for (std::size_t k = 0; k < n; ++k)
     slot[k] = stage_.spectral->is_line(control.channel[k])
                   ? control.slot[k]
-                  : film_.picked_control_slot(control.comb, control.channel[k]);
+                  : film_.picked_control_slot(film_.sample_of(control.slot[k]), control.comb,
+                                              control.channel[k]);
+  return slot;
+}
+
+std::uint32_t const* Tracer::control_slots(Beam const& control) {
+  auto* const slot = arena_.take<std::uint32_t>(static_cast<std::size_t>(control.lanes));
+  for (int k = 0; k < control.lanes; ++k)
+    slot[k] =
+        film_.control_slot(film_.sample_of(control.slot[k]), control.comb, control.channel[k]);
   return slot;
 }
 
@@ -105,7 +130,7 @@ void Tracer::meet_comb(PathRay const& ray, Beam const& beam, Frame& frame,
   LaneInterface own = face;
   LaneSurface passing = surface;
   if (!face.doubles) {
-    teeth = combed(beam, face.comb);
+    teeth = combed(beam, face.comb, 1);
     find_interface(teeth, ray.line.direction, own);
   }
   if (surface.explicit_reflection) // it may mirror by its Fresnel reflectance
@@ -116,10 +141,7 @@ void Tracer::meet_comb(PathRay const& ray, Beam const& beam, Frame& frame,
   transmit(ray, teeth, frame, own, passing, after);
 
   if (!film_.has_control(face.comb)) return;
-  auto const n = static_cast<std::size_t>(beam.lanes);
-  auto* slot = arena_.take<std::uint32_t>(n);
-  for (std::size_t k = 0; k < n; ++k) slot[k] = film_.control_slot(face.comb, beam.channel[k]);
-  control.slot = slot;
+  control.slot = control_slots(control);
   reflect(ray, control, frame, flat, surface);
   transmit(ray, control, frame, flat, surface, after);
 }
@@ -128,7 +150,6 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
                    InsideNode const* after) {
   if (!beam.monochromatic()) ++counts_.splits;
   if (face.doubles) return split_doubled(ray, beam, frame, face, after);
-  if (face.picks) return split_picked(ray, beam, frame, face, after);
   Arena::Scope const scope(arena_);
   auto const n = static_cast<std::size_t>(beam.lanes);
   SplitWays const ways{arena_.take<double>(n), arena_.take<double>(n), arena_.take<double>(n)};
@@ -148,7 +169,9 @@ void Tracer::split(PathRay const& ray, Beam const& beam, Frame& frame, LaneInter
   apart.locked = true;
   double const tolerance_px =
       stage_.media[static_cast<std::size_t>(face.split_medium)].tolerance_px;
-  if (face.comb == no_comb && tolerance_px > 0)
+  if (face.picks)
+    send_picked(start, apart, ways);
+  else if (face.comb == no_comb && tolerance_px > 0)
     split_adaptively(start, apart, ways, tolerance_px);
   else
     send_apart(start, apart, ways);
@@ -185,7 +208,10 @@ void Tracer::split_doubled(PathRay const& ray, Beam const& beam, Frame& frame,
     Arena::Scope const scope(arena_);
     lane.wave = face.split_wave;
     lane.locked = true;
-    if (first) lane = doubled(lane, face.comb);
+    if (first) {
+      lane.wave_tooth += waves_.first_tooth(face.comb, sample_of(beam));
+      lane = doubled(lane, face.comb);
+    }
     PathRay const next{{frame.hit.point,
                         optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
                         frame.hit.point_error},
@@ -198,31 +224,42 @@ void Tracer::split_doubled(PathRay const& ray, Beam const& beam, Frame& frame,
   }
 }
 
-void Tracer::split_picked(PathRay const& ray, Beam const& beam, Frame& frame,
-                          LaneInterface const& face, InsideNode const* after) {
+void Tracer::send_picked(SplitStart const& start, Beam const& beam, SplitWays const& ways) {
   Arena::Scope const scope(arena_);
-  WaveTables::Pick const pick = waves_.pick(face.comb);
-  auto const follow = [&](int k, double weight, std::uint32_t slot) {
-    ABBE_ASSERT(beam.tooth[k] == k);
-    Beam lane = beam.lane(k);
-    double throughput = lane.throughput[0] * weight;
-    lane.throughput = &throughput;
-    lane.slot = &slot;
-    lane.wave = face.split_wave;
-    lane.locked = true;
-    if (!(throughput > stage_.adc_bailout)) return cut(lane, 1);
-    ++counts_.monochromatic;
-    trace({{frame.hit.point, optics::refracted(face.per_lane[k], ray.line.direction, face.normal),
-            frame.hit.point_error},
-           &frame.through,
-           after,
-           ray.level + 1,
-           ray.mask},
-          lane);
-  };
-  follow(pick.tooth, pick.weight, film_.picked_slot(face.comb, pick.tooth));
+  int const each = start.lanes_each, rays = beam.lanes / each;
   // Emission lines are few, and each is all there is of its light.
-  for (int k = waves_.drawn_teeth(face.comb); k < beam.lanes; ++k) follow(k, 1, beam.slot[k]);
+  int const first_line = waves_.drawn_teeth(beam.comb), kept = 1 + each - first_line;
+  auto const n = static_cast<std::size_t>(kept) * static_cast<std::size_t>(rays);
+  auto* const channel = arena_.take<std::uint16_t>(n);
+  auto* const tooth = arena_.take<std::uint16_t>(n);
+  auto* const slot = arena_.take<std::uint32_t>(n);
+  Beam some = beam;
+  some.channel = channel;
+  some.tooth = tooth;
+  some.slot = slot;
+  some.throughput = arena_.take<double>(n);
+  some.lanes = 0;
+  SplitWays const on{arena_.take<double>(n), arena_.take<double>(n), arena_.take<double>(n)};
+  auto const follow = [&](int lane, double weight, std::uint32_t to) {
+    int const at = some.lanes++;
+    channel[at] = beam.channel[lane];
+    tooth[at] = beam.tooth[lane];
+    slot[at] = to;
+    some.throughput[at] = beam.throughput[lane] * weight;
+    on.x[at] = ways.x[lane];
+    on.y[at] = ways.y[lane];
+    on.z[at] = ways.z[lane];
+  };
+  for (int ray = 0; ray < rays; ++ray) {
+    int const first = ray * each;
+    std::size_t const sample = sample_of(beam.from(first, 1));
+    auto const pick = waves_.pick(beam.comb, sample);
+    follow(first + pick.tooth, pick.weight, film_.picked_slot(sample, beam.comb, pick.tooth));
+    for (int k = first + first_line; k < first + each; ++k) follow(k, 1, beam.slot[k]);
+  }
+  SplitStart of_each = start;
+  of_each.lanes_each = kept;
+  send_apart(of_each, some, on);
 }
 
 /// The rays of one adaptive split: lanes at the ends of a range go alone, and when their routes

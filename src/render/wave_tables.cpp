@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace abbe::render {
 namespace {
@@ -44,17 +45,20 @@ double SampleKey::blue() const {
                   + static_cast<double>(number) * steps[0]);
 }
 
-WaveTables::WaveTables(Stage const& stage) : stage_(stage), tables_(2 * stage.combs.size()) {
+WaveTables::WaveTables(Stage const& stage, std::size_t samples)
+    : stage_(stage), keys_(samples), tables_(2 * stage.combs.size() * samples) {
   if (!stage.combs.empty()) hats_.emplace(stage.bands());
+  for (int comb = 0; comb < comb_count(); ++comb)
+    teeth_.push_back(drawn_teeth(comb) + stage_.channels - stage_.bands().count());
   for (auto& table : tables_) {
     table.indices_known.resize(stage.media.size());
     table.indices.resize(stage.media.size());
   }
 }
 
-void WaveTables::start_sample(SampleKey key) {
-  key_ = key;
-  for (auto& table : tables_) {
+void WaveTables::start_samples(std::span<SampleKey const> keys) {
+  std::copy(keys.begin(), keys.end(), keys_.begin());
+  for (auto& table : std::span(tables_).first(2 * stage_.combs.size() * keys.size())) {
     table.lambdas_known = table.spreads_known = table.weights_known = table.pick_known = false;
     table.indices_known.assign(table.indices_known.size(), false);
   }
@@ -65,36 +69,33 @@ int WaveTables::drawn_teeth(int comb) const {
   return asked > 0 ? asked : stage_.bands().count();
 }
 
-int WaveTables::teeth(int comb) const {
-  return drawn_teeth(comb) + stage_.channels - stage_.bands().count();
+double WaveTables::common_number(optics::Comb const& comb, SampleKey const& key,
+                                 std::uint64_t dimension) const {
+  if (comb.jitter == Jitter::Uniform) return key.independent(dimension);
+  if (comb.jitter == Jitter::BlueNoise && dimension == first_offset) return key.blue();
+  return key.uniform(dimension);
 }
 
-double WaveTables::common_number(optics::Comb const& comb, std::uint64_t dimension) const {
-  if (comb.jitter == Jitter::Uniform) return key_.independent(dimension);
-  if (comb.jitter == Jitter::BlueNoise && dimension == first_offset) return key_.blue();
-  return key_.uniform(dimension);
-}
-
-double WaveTables::offset(int wave, int tooth) const {
+double WaveTables::offset(int wave, SampleKey const& key, int tooth) const {
   optics::Comb const& comb = comb_of(wave);
   auto const dimension = wave >= comb_count() ? second_offset : first_offset;
   double u =
       comb.jitter == Jitter::Stratified
-          ? key_.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension)
-          : common_number(comb, dimension);
+          ? key.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension)
+          : common_number(comb, key, dimension);
   // One number draws the hero and the offset of the whole comb: the hero's own wavelength then
   // takes even steps over the whole range.
   if (comb.follow == optics::Comb::Follow::Hero) u = fraction(u * drawn_teeth(wave % comb_count()));
   return optics::jitter_offset(comb, u);
 }
 
-void WaveTables::draw(int wave, Table& out) const {
+void WaveTables::draw(int wave, SampleKey const& key, Table& out) const {
   optics::Bands const& bands = stage_.bands();
   int const m = drawn_teeth(wave % comb_count());
   out.lambdas_nm.clear();
   out.channels.clear();
   for (int i = 0; i < m; ++i) {
-    double const xi = offset(wave, i);
+    double const xi = offset(wave, key, i);
     // The light of a triangle's tooth is its band's, wherever it lies.
     bool const own_band =
         comb_of(wave).jitter == Jitter::Triangular || (m == bands.count() && std::abs(xi) <= 0.5);
@@ -110,27 +111,35 @@ void WaveTables::draw(int wave, Table& out) const {
   }
 }
 
-WaveTables::Table& WaveTables::drawn(int wave) {
-  Table& t = tables_[static_cast<std::size_t>(wave)];
+WaveTables::Table& WaveTables::drawn(int wave, std::size_t sample) {
+  Table& t = tables_[2 * stage_.combs.size() * sample + static_cast<std::size_t>(wave)];
   if (!t.lambdas_known) {
-    draw(wave, t);
+    draw(wave, keys_[sample], t);
     t.lambdas_known = true;
   }
   return t;
 }
 
-std::span<double const> WaveTables::lambdas_nm(int wave) {
-  return wave == band_means ? stage_.lambdas_nm : drawn(wave).lambdas_nm;
+double WaveTables::lambda_nm(int wave, int tooth) {
+  if (wave == band_means) return stage_.lambdas_nm[static_cast<std::size_t>(tooth)];
+  auto const [sample, own] = std::div(tooth, teeth(wave % comb_count()));
+  return drawn(wave, static_cast<std::size_t>(sample)).lambdas_nm[static_cast<std::size_t>(own)];
 }
 
-std::span<std::uint16_t const> WaveTables::channels(int wave) {
-  return drawn(wave).channels;
+double WaveTables::index(int medium, int wave, int tooth) {
+  if (wave == band_means) return indices(medium, wave, 0)[static_cast<std::size_t>(tooth)];
+  auto const [sample, own] = std::div(tooth, teeth(wave % comb_count()));
+  return indices(medium, wave, static_cast<std::size_t>(sample))[static_cast<std::size_t>(own)];
 }
 
-std::span<double const> WaveTables::indices(int medium, int wave) {
+std::span<std::uint16_t const> WaveTables::channels(int wave, std::size_t sample) {
+  return drawn(wave, sample).channels;
+}
+
+std::span<double const> WaveTables::indices(int medium, int wave, std::size_t sample) {
   Medium const& m = stage_.media[static_cast<std::size_t>(medium)];
   if (wave == band_means) return m.dispersive ? m.index : m.flat_index;
-  Table& t = drawn(wave);
+  Table& t = drawn(wave, sample);
   auto const number = static_cast<std::size_t>(medium);
   if (!t.indices_known[number]) {
     auto& values = t.indices[number];
@@ -142,14 +151,15 @@ std::span<double const> WaveTables::indices(int medium, int wave) {
   return t.indices[number];
 }
 
-WaveTables::Pick WaveTables::pick(int comb) {
-  Table& t = drawn(first_draw(comb));
+WaveTables::Pick WaveTables::pick(int comb, std::size_t sample) {
+  Table& t = drawn(first_draw(comb), sample);
   if (t.pick_known) return t.pick;
   t.pick_known = true;
+  SampleKey const& key = keys_[sample];
   int const m = drawn_teeth(comb);
   optics::Comb const& settings = stage_.combs[static_cast<std::size_t>(comb)];
   if (settings.follow == optics::Comb::Follow::Hero) {
-    double const u = common_number(settings, first_offset);
+    double const u = common_number(settings, key, first_offset);
     return t.pick = {std::min(static_cast<int>(u * m), m - 1), double(m)};
   }
   // A tenth of the probability for all alike: what the eye sees badly must not come with weights
@@ -160,7 +170,7 @@ WaveTables::Pick WaveTables::pick(int comb) {
   };
   double total = 0;
   for (int i = 0; i < m; ++i) total += share(t.lambdas_nm[static_cast<std::size_t>(i)]);
-  double const u = key_.uniform(choice);
+  double const u = key.uniform(choice);
   double below = 0;
   for (int i = 0; i < m; ++i) {
     double const seen =
@@ -178,8 +188,8 @@ double WaveTables::width_nm(int wave, double lambda_nm) const {
   return bands.width(bands.index_of(lambda_nm)) * bands.count() / drawn_teeth(wave % comb_count());
 }
 
-std::span<WaveTables::Spread const> WaveTables::spreads(int wave) {
-  Table& t = drawn(wave);
+std::span<WaveTables::Spread const> WaveTables::spreads(int wave, std::size_t sample) {
+  Table& t = drawn(wave, sample);
   if (t.spreads_known) return t.spreads;
   t.spreads_known = true;
   int const count = stage_.bands().count(), m = drawn_teeth(wave % comb_count());
@@ -207,8 +217,8 @@ std::span<WaveTables::Spread const> WaveTables::spreads(int wave) {
   return t.spreads;
 }
 
-std::span<Vec3 const> WaveTables::rgb_weights(int wave) {
-  Table& t = drawn(wave);
+std::span<Vec3 const> WaveTables::rgb_weights(int wave, std::size_t sample) {
+  Table& t = drawn(wave, sample);
   if (!t.weights_known) {
     t.rgb_weights.clear();
     int const m = drawn_teeth(wave % comb_count());

@@ -25,35 +25,44 @@ struct SampleKey {
   double blue() const;
 };
 
-/// The wavelengths of one camera sample and the indices of the glasses there, made on first need.
-/// Tables: `band_means`, then for each comb its first draw, then for each its second draw (used by
-/// the published scheme at the second refraction).
+/// The wavelengths of the camera samples in work and the indices of the glasses there, made on
+/// first need. Tables of a sample: `band_means`, then for each comb its first draw, then for each
+/// its second draw (used by the published scheme at the second refraction). Beams number the teeth
+/// of a comb through all samples: those of the first, then those of the next.
 class WaveTables {
 public:
-  explicit WaveTables(Stage const& stage);
+  /// @param samples in work at a time, at most
+  WaveTables(Stage const& stage, std::size_t samples);
 
-  void start_sample(SampleKey key);
+  void start_samples(std::span<SampleKey const> keys);
 
   int first_draw(int comb) const { return comb; }
   int second_draw(int comb) const { return comb_count() + comb; }
   int comb_count() const { return static_cast<int>(stage_.combs.size()); }
   /// Number of wavelengths of a comb: those that it draws, then the emission lines.
-  int teeth(int comb) const;
+  int teeth(int comb) const { return teeth_[static_cast<std::size_t>(comb)]; }
   int drawn_teeth(int comb) const;
+  /// Number of a sample's first tooth among those of all.
+  int first_tooth(int comb, std::size_t sample) const {
+    return static_cast<int>(sample) * teeth(comb);
+  }
 
-  std::span<double const> lambdas_nm(int wave);
-  /// The channel of materials and lights in which each wavelength of a table lies.
-  std::span<std::uint16_t const> channels(int wave);
-  /// Index of refraction of a medium at each wavelength of a table.
-  std::span<double const> indices(int medium, int wave);
+  /// Of a tooth among those of all samples.
+  double lambda_nm(int wave, int tooth);
+  /// Index of refraction of a medium there.
+  double index(int medium, int wave, int tooth);
+  /// The same of all teeth of a sample.
+  std::span<double const> indices(int medium, int wave, std::size_t sample);
+  /// The channel of materials and lights in which each wavelength of a sample lies.
+  std::span<std::uint16_t const> channels(int wave, std::size_t sample);
 
   /// The tooth of a comb that goes on alone in this sample, and 1 / its probability.
   struct Pick {
     int tooth = 0;
     double weight = 1;
   };
-  /// @pre the comb picks one
-  Pick pick(int comb);
+  /// Its number is among those of the sample. @pre the comb picks one
+  Pick pick(int comb, std::size_t sample);
 
   /// Where the light of a tooth goes on the spectral film: the two channels between whose centres
   /// its wavelength falls. With a tooth a band or more, the weights are divided by what each band
@@ -64,10 +73,10 @@ public:
     double first_weight = 1;
     double second_weight = 0;
   };
-  std::span<Spread const> spreads(int wave);
+  std::span<Spread const> spreads(int wave, std::size_t sample);
   /// Colour of one unit of light at each wavelength of the draw: the colour-matching functions
   /// there times the width of its stratum. The mean of their sum over the draws is the white.
-  std::span<Vec3 const> rgb_weights(int wave);
+  std::span<Vec3 const> rgb_weights(int wave, std::size_t sample);
 
 private:
   struct Table {
@@ -84,19 +93,21 @@ private:
     return stage_.combs[static_cast<std::size_t>(wave % comb_count())];
   }
   /// With the wavelengths drawn.
-  Table& drawn(int wave);
-  void draw(int wave, Table& out) const;
+  Table& drawn(int wave, std::size_t sample);
+  void draw(int wave, SampleKey const& key, Table& out) const;
   /// The random number that all teeth of a comb share.
-  double common_number(optics::Comb const& comb, std::uint64_t dimension) const;
+  double common_number(optics::Comb const& comb, SampleKey const& key,
+                       std::uint64_t dimension) const;
   /// Offset of a tooth from the middle of its stratum, in strata.
-  double offset(int wave, int tooth) const;
+  double offset(int wave, SampleKey const& key, int tooth) const;
   /// Width of a tooth's stratum at its wavelength, nm.
   double width_nm(int wave, double lambda_nm) const;
 
   Stage const& stage_;
   std::optional<optics::BandHats> hats_;
-  SampleKey key_;
-  std::vector<Table> tables_;
+  std::vector<int> teeth_; ///< by comb
+  std::vector<SampleKey> keys_;
+  std::vector<Table> tables_;    ///< of the first sample, then of the next
   std::vector<double> received_; ///< scratch of spreads(), by band
 };
 

@@ -51,6 +51,7 @@ void take_samples(Stage const& stage, Tracer& tracer, bool together) {
   Vec3 sum(0);
   for (int y = 0; y < size; ++y) {
     geometry::FanLines rays;
+    SampleKey keys[geometry::fan_width];
     rays.count = 0;
     for (int x = 0; x < size; ++x) {
       auto const ray = camera_ray(stage.camera, x + 0.5, y + 0.5, size, size);
@@ -62,8 +63,9 @@ void take_samples(Stage const& stage, Tracer& tracer, bool together) {
       rays.origin.set(rays.count, ray.origin);
       rays.direction.set(rays.count, ray.direction);
       rays.origin_error.set(rays.count, ray.origin_error);
+      keys[rays.count] = {RandomKey(1).child(pixel), 0};
       if (++rays.count < geometry::fan_width) continue;
-      tracer.samples(rays);
+      tracer.samples(rays, keys);
       for (std::size_t k = 0; k < rays.count; ++k) sum += tracer.light_of(k, {});
       rays.count = 0;
     }

@@ -13,6 +13,12 @@ geometry::Ray ray_of(Stage const& stage, int x, int y) {
   return camera_ray(stage.camera, x + 0.5, y + 0.5, size, size);
 }
 
+/// Each sample has random numbers of its own.
+SampleKey key_of(int x, int y) {
+  auto const pixel = static_cast<std::uint64_t>(y * size + x);
+  return {RandomKey(1).child(pixel), pixel % 7, x, y, RandomKey(1)};
+}
+
 /// Light, rays and losses of samples that are traced together, in groups of `width`, are those of
 /// each alone, bit for bit.
 void expect_same(scene::Scene const& scene, std::size_t width) {
@@ -27,18 +33,19 @@ void expect_same(scene::Scene const& scene, std::size_t width) {
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x + static_cast<int>(width) <= size; x += static_cast<int>(width)) {
       geometry::FanLines rays;
+      std::vector<SampleKey> keys;
       rays.count = width;
       for (std::size_t k = 0; k < width; ++k) {
         auto const ray = ray_of(stage, x + static_cast<int>(k), y);
         rays.origin.set(k, ray.origin);
         rays.direction.set(k, ray.direction);
         rays.origin_error.set(k, ray.origin_error);
+        keys.push_back(key_of(x + static_cast<int>(k), y));
       }
       rays.fill();
-      together.samples(rays);
+      together.samples(rays, keys);
       for (std::size_t k = 0; k < width; ++k) {
-        Vec3 const one =
-            alone.sample(ray_of(stage, x + static_cast<int>(k), y), {RandomKey(1), 0}, bands);
+        Vec3 const one = alone.sample(ray_of(stage, x + static_cast<int>(k), y), keys[k], bands);
         ASSERT_EQ(together.light_of(k, bands_together), one) << x << ' ' << y << ' ' << k;
         ASSERT_EQ(bands_together, bands);
       }
@@ -59,8 +66,32 @@ TEST(Together, SamplesOfBandsAreThoseOfEachAlone) {
 TEST(Together, SamplesThatSplitAdaptivelyAreThoseOfEachAlone) {
   for (std::size_t const width : {16, 3}) expect_same(table(adaptive(0.5), true), width);
 }
-TEST(Together, NotWhereSamplesHaveWavelengthsOfTheirOwn) {
-  auto const scene = table(stochastic(), true);
+TEST(Together, SamplesWithWavelengthsOfTheirOwnAreThoseOfEachAlone) {
+  for (Follow const follow : {Follow::Every, Follow::Hero, Follow::Importance, Follow::Doubled})
+    for (int const teeth : {0, 1, 3, 20})
+      if (follow != Follow::Doubled || teeth == 0)
+        expect_same(table(stochastic({teeth, Jitter::LowDiscrepancy, 1, follow}), true), 16);
+  for (auto const& comb : {optics::Comb{0, Jitter::Stratified, 1, Follow::Every},
+                           optics::Comb{0, Jitter::BlueNoise, 1, Follow::Hero},
+                           optics::Comb{0, Jitter::Triangular, 2, Follow::Every}})
+    for (std::size_t const width : {16, 3}) expect_same(table(stochastic(comb), true), width);
+}
+TEST(Together, GlassThatMirrorsByItsFinishIsThatOfEachAlone) {
+  for (double const exponent : {1.0, 0.5}) {
+    auto scene = table(stochastic(), true);
+    scene::Reflection reflection;
+    reflection.maximum.rgb = Vec3(0.3);
+    reflection.exponent = exponent;
+    ASSERT_TRUE(scene.objects[1].texture);
+    scene.objects[1].texture->at(0).finish.reflection = reflection;
+    expect_same(scene, 16);
+  }
+}
+TEST(Together, NotWhereSolidsDisplaceEachOther) {
+  auto scene = table(stochastic(), true);
+  auto other = *scene.objects[1].interior;
+  other.priority = 1;
+  scene.objects[1].interior = std::make_shared<scene::Interior>(other);
   auto const plan = plan::make_plan(scene, {});
   ASSERT_TRUE(plan);
   Stage const stage = compile(scene, *plan);
