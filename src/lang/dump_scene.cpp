@@ -122,12 +122,13 @@ private:
                              : "none");
     scene::SpectralSettings const& p = s.spectral;
     using Spacing = scene::SpectralSettings::Spacing;
-    line("spectral {} bands {} range {} {} spacing {}{} dispersion {} unit {}",
+    line("spectral {} bands {} range {} {} spacing {}{} dispersion {}{} unit {}",
          p.requested ? "requested" : "default", p.bands, text(p.low_nm), text(p.high_nm),
          p.spacing == Spacing::Uniform ? "uniform"
          : p.spacing == Spacing::Hall  ? "hall"
                                        : "boundaries",
-         text(p.representation), text(p.dispersion), text(p.mm_per_unit));
+         text(p.representation), text(p.dispersion),
+         p.merge_px ? fmt::format(" merge {}", text(*p.merge_px)) : "", text(p.mm_per_unit));
     effects(s.effects);
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);

@@ -65,6 +65,21 @@ double read_unit(Reader& in) {
   return 1;
 }
 
+/// Half of what the adaptive mode allows itself.
+constexpr double default_merge_px = 0.25;
+
+/// After `merge`.
+double read_merge(Reader& in) {
+  Span const at = in.next_span();
+  if (in.accept("off") || in.accept("no")) return 0;
+  if (in.accept("on") || in.accept("yes")) return default_merge_px;
+  double const pixels = in.number("pixels that wavelengths may land apart, 'on' or 'off'");
+  if (pixels >= 0) return pixels;
+  in.report(Severity::Error, "E0353",
+            fmt::format("'merge' must not be negative: {} pixels", pixels), at);
+  return 0;
+}
+
 void read_spectral(Reader& in, SpectralSettings& spectral) {
   spectral.requested = true;
   spectral.span = in.block_span();
@@ -81,6 +96,8 @@ void read_spectral(Reader& in, SpectralSettings& spectral) {
     } else if (in.open("dispersion")) {
       spectral.dispersion = read_dispersion_mode(in);
       in.close();
+    } else if (in.accept("merge")) {
+      spectral.merge_px = read_merge(in);
     } else if (in.accept("unit")) {
       spectral.mm_per_unit = read_unit(in);
     } else {

@@ -9,9 +9,16 @@ namespace abbe::plan {
 scene::DispersionMode effective_mode(scene::Interior const& interior,
                                      scene::Settings const& settings,
                                      std::optional<scene::DispersionMode> const& override_mode) {
+  using Kind = scene::DispersionMode::Kind;
   if (override_mode) return *override_mode;
-  if (interior.dispersion.kind != scene::DispersionMode::Kind::Inherit) return interior.dispersion;
-  return settings.spectral.dispersion;
+  auto mode = interior.dispersion.kind != Kind::Inherit ? interior.dispersion
+                                                        : settings.spectral.dispersion;
+  auto const merge_px = settings.spectral.merge_px;
+  if (merge_px && (mode.kind == Kind::Deterministic || mode.kind == Kind::Adaptive)) {
+    mode.kind = *merge_px > 0 ? Kind::Adaptive : Kind::Deterministic;
+    mode.tolerance_px = *merge_px;
+  }
+  return mode;
 }
 
 double plain_index(scene::Interior const& interior) {

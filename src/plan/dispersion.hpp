@@ -10,7 +10,8 @@
 /// What an interior means optically.
 namespace abbe::plan {
 
-/// The mode that governs a material: the override, else its own, else the scene's default.
+/// The mode that governs a material: the override, else its own, else the scene's default; what is
+/// deterministic or adaptive shares rays as `spectral { merge }` says, where that is given.
 /// POV-Ray's own form (`ior` with `dispersion`) follows the scene's default too.
 scene::DispersionMode effective_mode(scene::Interior const& interior,
                                      scene::Settings const& settings,

@@ -185,11 +185,11 @@ private:
         || !glass->is_dispersive(range.low_nm, range.high_nm))
       return;
     std::string const reason = glass->full_name() + " disperses";
-    find(Effect::Dispersion, reason, span);
+    using Kind = scene::DispersionMode::Kind;
+    std::string const with_mode = reason + ", dispersion { " + scene::text(mode) + " }";
+    find(Effect::Dispersion, mode.kind == Kind::Adaptive ? with_mode : reason, span);
     find(Effect::SpectralTransport, reason, span);
-    if (mode.kind == scene::DispersionMode::Kind::Stochastic)
-      find(Effect::StochasticDispersion, reason + ", dispersion { " + scene::text(mode) + " }",
-           span);
+    if (mode.kind == Kind::Stochastic) find(Effect::StochasticDispersion, with_mode, span);
   }
 
   static bool object_has_interior(scene::Object const& object) {

@@ -175,6 +175,9 @@ struct SpectralSettings {
   std::vector<double> boundaries_nm;
   Representation representation;
   DispersionMode dispersion{DispersionMode::Kind::Deterministic, {}, 0.5, {}};
+  /// Wavelengths that land less than so many pixels apart share a ray, in all materials that are
+  /// deterministic or adaptive; 0: none does. Not given: as each material says.
+  std::optional<double> merge_px;
   double mm_per_unit = 1;
 };
 
