@@ -46,11 +46,11 @@ std::uint64_t picture_identity(lang::Evaluated const& evaluated,
   if (elsewhere) add(hash, lang::dump_scene(evaluated.scene));
   render::Region const region = options.pixels();
   auto const& aa = options.anti_aliasing;
-  add(hash,
-      fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {} {} {} {}", options.width, options.height,
-                  region.x0, region.y0, region.x1, region.y1, options.tile_size, aa.method,
-                  aa.depth, aa.threshold, aa.jitter, options.seed, options.spectral_output,
-                  options.check_finite, options.max_trace_level.value_or(0)));
+  add(hash, fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {} {} {} {} {}", options.width,
+                        options.height, region.x0, region.y0, region.x1, region.y1,
+                        options.tile_size, aa.method, aa.depth, aa.threshold, aa.jitter,
+                        options.seed, options.spectral_output, options.check_finite,
+                        options.max_trace_level.value_or(0), options.passes));
   add(hash, words);
   add(hash, program());
   return hash.value();

@@ -20,6 +20,7 @@ image::Status write_stats(std::string const& path, RenderStats const& stats, pla
       {"height", options.height},
       {"bands", plan.spectral ? plan.spectral->count() : 0},
       {"seed", options.seed},
+      {"passes", result.passes},
       {"scene_s", {{"wall", stats.scene_wall_s}, {"cpu", stats.scene_cpu_s}}},
       {"render_s", {{"wall", stats.render_wall_s}, {"cpu", stats.render_cpu_s}}},
       {"rays", study::rays_to_json(rays)},

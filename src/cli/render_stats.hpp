@@ -17,8 +17,8 @@ struct RenderStats {
   double render_wall_s = 0, render_cpu_s = 0; ///< make ready, trace, write
 };
 
-/// One JSON object: "version", "scene", "width", "height", "bands" (0: r g b), "seed", "scene_s"
-/// and "render_s" ("wall", "cpu"), "rays" by kind and "total", "missing_mean".
+/// One JSON object: "version", "scene", "width", "height", "bands" (0: r g b), "seed", "passes",
+/// "scene_s" and "render_s" ("wall", "cpu"), "rays" by kind and "total", "missing_mean".
 /// @error E0510 the file cannot be written
 image::Status write_stats(std::string const& path, RenderStats const& stats, plan::Plan const& plan,
                           render::RenderOptions const& options, render::RenderResult const& result);

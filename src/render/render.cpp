@@ -2,404 +2,53 @@
 #include "render/render.hpp"
 
 #include "plan/working_space.hpp"
-#include "render/camera.hpp"
-#include "render/checkpoint.hpp"
-#include "render/pixel_sampler.hpp"
-
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <algorithm>
-#include <limits>
-#include <mutex>
+#include "render/each.hpp"
+#include "render/frame.hpp"
+#include "render/passes.hpp"
 
 namespace abbe::render {
 namespace {
 
-int cores_of(RenderOptions const& options) {
-  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+Stage make_stage(scene::Scene const& scene, plan::Plan const& plan, RenderOptions const& options) {
+  Stage stage = compile(scene, plan);
+  if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
+  return stage;
 }
-
-/// work(i) for each whole number from `first` to below `last`, on so many cores.
-template <class Work>
-void for_each(int first, int last, int cores, Work const& work) {
-  if (cores == 1) { // also within another for_each, which has the other cores
-    for (int i = first; i < last; ++i) work(i);
-    return;
-  }
-  tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(cores));
-  tbb::task_arena arena(cores);
-  arena.execute([&] { tbb::parallel_for(first, last, work); });
-}
-
-/// Some rows of tiles in work.
-struct Strip {
-  int y0 = 0, y1 = 0;       ///< pixels
-  int tile0 = 0, tile1 = 0; ///< rows of tiles
-  image::Image image;
-  std::vector<std::uint8_t> marks; ///< method 1: pixels to be sampled again
-};
-
-/// The picture being made: strip by strip, the tiles of a strip in any order, each pixel written by
-/// the one thread that has its tile.
-class Frame {
-public:
-  /// @param space of the channels when they are r g b
-  Frame(Stage const& stage, RenderOptions const& options, plan::WorkingSpace const& space)
-      : stage_(stage),
-        options_(options),
-        space_(space),
-        region_(options.pixels()),
-        size_(std::max(1, options.tile_size)),
-        across_((region_.x1 - region_.x0 + size_ - 1) / size_),
-        down_((region_.y1 - region_.y0 + size_ - 1) / size_),
-        tracers_([this] { return make_tracer(); }) {
-    std::size_t floats = 3;
-    if (options.spectral_output) floats += stage.film_bands();
-    std::size_t const row_of_tiles = floats * sizeof(float) * static_cast<std::size_t>(size_)
-                                     * static_cast<std::size_t>(width());
-    strip_rows_ = static_cast<int>(std::clamp<std::size_t>(options.rows_bytes / row_of_tiles, 1,
-                                                           static_cast<std::size_t>(down_)));
-  }
-
-  std::uint32_t tiles() const {
-    return static_cast<std::uint32_t>(across_) * static_cast<std::uint32_t>(down_);
-  }
-
-  RenderResult run() {
-    int const method = options_.anti_aliasing.method;
-    if (options_.rays_of_pixels)
-      options_.rays_of_pixels->assign(
-          static_cast<std::size_t>(width()) * static_cast<std::size_t>(region_.y1 - region_.y0), 0);
-    first_share_ = method == 1 ? 1.0 / 3 : 1;
-    Strip strip = sampled_strip(0);
-    std::vector<float> above; // the last row of the strip before, as first sampled
-    while (!stopped()) {
-      int const behind = strip.tile1;
-      Strip next;
-      if (method == 1) {
-        if (behind < down_) next = sampled_strip(behind);
-        if (wrong_) break;
-        mark(strip, above, next.image.rgb);
-        auto const row = 3 * static_cast<std::size_t>(width());
-        above.assign(strip.image.rgb.end() - static_cast<std::ptrdiff_t>(row),
-                     strip.image.rgb.end());
-        refine(strip);
-      }
-      if (stopped() || wrong_ || !hand_on(strip) || behind == down_) break;
-      if (method != 1) {
-        strip = {}; // before the next takes its memory
-        next = sampled_strip(behind);
-      }
-      strip = std::move(next);
-    }
-    if (wrong_) result_.bad_sample = look_into(*wrong_);
-    add_counts();
-    result_.interrupted = stopped();
-    return std::move(result_);
-  }
-
-private:
-  struct WrongPixel {
-    PixelSampler::Wrong wrong;
-    int x, y;
-  };
-
-  bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
-  /// In the whole picture.
-  std::size_t number(int x, int y) const {
-    return static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(width())
-           + static_cast<std::size_t>(x - region_.x0);
-  }
-  int width() const { return region_.x1 - region_.x0; }
-
-  Strip make_strip(int tile0) const {
-    Strip strip;
-    strip.tile0 = tile0;
-    strip.tile1 = std::min(tile0 + strip_rows_, down_);
-    strip.y0 = region_.y0 + tile0 * size_;
-    strip.y1 = std::min(region_.y0 + strip.tile1 * size_, region_.y1);
-    strip.image = image::make_image(width(), strip.y1 - strip.y0);
-    if (options_.spectral_output) {
-      strip.image.bands.resize(strip.image.pixels() * stage_.film_bands());
-      auto const centers = stage_.bands().centers();
-      auto const edges = stage_.bands().edges();
-      strip.image.band_centres_nm.assign(centers.begin(), centers.end());
-      strip.image.band_edges_nm.assign(edges.begin(), edges.end());
-    }
-    return strip;
-  }
-
-  /// Finished rows leave. @return whether to go on
-  bool hand_on(Strip& strip) {
-    image::Image& rows = strip.image;
-    if (!stage_.spectral && !space_.is_linear())
-      for (auto& value : rows.rgb) value = static_cast<float>(space_.to_linear(value));
-    if (options_.on_rows) return options_.on_rows(rows);
-    image::Image& whole = result_.image;
-    if (whole.width == 0) {
-      whole = std::move(rows);
-    } else {
-      whole.height += rows.height;
-      whole.rgb.insert(whole.rgb.end(), rows.rgb.begin(), rows.rgb.end());
-      whole.bands.insert(whole.bands.end(), rows.bands.begin(), rows.bands.end());
-    }
-    return true;
-  }
-
-  void add_counts() {
-    CutLight cut = kept_.cut;
-    result_.counts = kept_.counts;
-    for (auto const& tracer : tracers_) {
-      result_.counts.add(tracer.counts());
-      cut.add(tracer.cut_light());
-    }
-    double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
-    auto const missing = [&](double lost) { return lost > 0 ? lost * stage_.brightest : 0; };
-    result_.missing_mean = missing(static_cast<double>(cut.sum) * CutLight::unit / samples);
-    result_.missing_most = missing(cut.worst_sample);
-  }
-
-  std::size_t index(Strip const& strip, int x, int y) const {
-    return static_cast<std::size_t>(y - strip.y0) * static_cast<std::size_t>(width())
-           + static_cast<std::size_t>(x - region_.x0);
-  }
-
-  void put(Strip& strip, int x, int y, Sampled const& sampled) const {
-    auto const at = index(strip, x, y);
-    for (int c = 0; c < 3; ++c)
-      strip.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
-    for (std::size_t c = 0; c < sampled.bands.size(); ++c)
-      strip.image.bands[at * sampled.bands.size() + c] =
-          static_cast<float>(sampled.bands[c] * stage_.bands().d65_radiance(static_cast<int>(c)));
-  }
-
-  Strip sampled_strip(int tile0) {
-    Strip strip = make_strip(tile0);
-    bool const subdivide = options_.anti_aliasing.method == 2;
-    for_each_tile(strip, 0, [&](PixelSampler& sampler, int x, int y, int count) {
-      if (subdivide) {
-        put(strip, x, y, sampler.subdivided(x, y));
-        return 1;
-      }
-      Sampled sampled[geometry::fan_width];
-      count = std::min(count, static_cast<int>(geometry::fan_width));
-      sampler.centres(x, y, static_cast<std::size_t>(count), sampled);
-      for (int k = 0; k < count; ++k) put(strip, x + k, y, sampled[k]);
-      return count;
-    });
-    return strip;
-  }
-
-  Tracer make_tracer() const {
-    return Tracer(stage_, pixel_footprint(stage_.camera, options_.width, options_.height));
-  }
-
-  /// Method 1: a pixel that differs from its left or upper neighbour is sampled again, and so is
-  /// the neighbour. Marks are made from the first samples alone, so the order does not matter.
-  /// @param above, below the row before the strip and (first) the one behind it; may be empty
-  void mark(Strip& strip, std::vector<float> const& above, std::vector<float> const& below) {
-    strip.marks.assign(strip.image.pixels(), 0);
-    Tracer tracer = make_tracer();
-    PixelSampler const judge(stage_, options_, tracer);
-    auto const at = [](std::vector<float> const& values, std::size_t pixel) {
-      return Vec3(values[3 * pixel], values[3 * pixel + 1], values[3 * pixel + 2]);
-    };
-    auto const& values = strip.image.rgb;
-    auto const across = static_cast<std::size_t>(width());
-    for (std::size_t i = 0; i < strip.marks.size(); ++i) {
-      Vec3 const here = at(values, i);
-      if (i % across > 0 && judge.differ(here, at(values, i - 1)))
-        strip.marks[i] = strip.marks[i - 1] = 1;
-      if (i >= across) {
-        if (judge.differ(here, at(values, i - across)))
-          strip.marks[i] = strip.marks[i - across] = 1;
-      } else if (!above.empty() && judge.differ(here, at(above, i))) {
-        strip.marks[i] = 1;
-      }
-      if (i + across >= strip.marks.size() && !below.empty()
-          && judge.differ(at(below, i % across), here))
-        strip.marks[i] = 1;
-    }
-  }
-
-  void refine(Strip& strip) {
-    for_each_tile(strip, 1, [&](PixelSampler& sampler, int x, int y, int) {
-      if (strip.marks[index(strip, x, y)])
-        put(strip, x, y, sampler.refined(x, y, sampler.centre(x, y)));
-      return 1;
-    });
-  }
-
-  struct Box {
-    int x0, y0, x1, y1;
-  };
-
-  /// @param work (sampler, x, y, count): makes some of the next `count` pixels of a row, and says
-  /// how many
-  template <class Work>
-  void for_each_tile(Strip& strip, std::uint32_t pass, Work const& work) {
-    int const cores = cores_of(options_);
-    for_each(strip.tile0 * across_, strip.tile1 * across_, cores, [&](int tile) {
-      if (stopped()) return;
-      Box box{region_.x0 + tile % across_ * size_, region_.y0 + tile / across_ * size_, 0, 0};
-      box.x1 = std::min(box.x0 + size_, region_.x1);
-      box.y1 = std::min(box.y0 + size_, region_.y1);
-      if (!options_.checkpoint || !take(strip, box, pass, tile)) {
-        Tracer& tracer = tracers_.local();
-        PixelSampler sampler(stage_, options_, tracer);
-        RayCounts const before = tracer.counts();
-        CutLight const cut_before = tracer.cut_light();
-        for (int y = box.y0; y < box.y1; ++y) {
-          if (stopped()) return;
-          for (int x = box.x0; x < box.x1;) {
-            if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
-            std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
-            // Rays of pixels that are made together cannot be told apart.
-            int const made = work(sampler, x, y, options_.rays_of_pixels ? 1 : box.x1 - x);
-            if (options_.rays_of_pixels)
-              (*options_.rays_of_pixels)[number(x, y)] +=
-                  static_cast<float>(tracer.counts().total() - rays);
-            // Of several pixels' centres, the one in whose middle it is.
-            if (sampler.wrong())
-              return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x, y);
-            x += made;
-          }
-        }
-        rays_ += tracer.counts().total() - before.total();
-        if (options_.checkpoint) keep(strip, box, pass, tile, tracer, before, cut_before);
-      }
-      report(pass);
-    });
-  }
-
-  /// Calls work(array, first, count) for each row of a tile in each array of floats.
-  template <class Work>
-  void rows_of(Strip& strip, Box const& box, Work const& work) const {
-    std::size_t const channels = options_.spectral_output ? stage_.bands().count() : 0;
-    for (int y = box.y0; y < box.y1; ++y) {
-      auto const first = index(strip, box.x0, y);
-      auto const count = static_cast<std::size_t>(box.x1 - box.x0);
-      work(strip.image.rgb, 3 * first, 3 * count);
-      if (channels > 0) work(strip.image.bands, channels * first, channels * count);
-    }
-  }
-
-  /// A tile that the checkpoint has.
-  bool take(Strip& strip, Box const& box, std::uint32_t pass, int tile) {
-    auto const known = options_.checkpoint->find(pass, static_cast<std::uint32_t>(tile));
-    if (!known) return false;
-    auto from = known->values.begin();
-    rows_of(strip, box, [&](std::vector<float>& to, std::size_t first, std::size_t count) {
-      std::copy_n(from, count, to.begin() + static_cast<std::ptrdiff_t>(first));
-      from += static_cast<std::ptrdiff_t>(count);
-    });
-    std::lock_guard const lock(taking_);
-    kept_.counts.add(known->counts);
-    kept_.cut.add(known->cut);
-    return true;
-  }
-
-  void keep(Strip& strip, Box const& box, std::uint32_t pass, int tile, Tracer const& tracer,
-            RayCounts const& before, CutLight const& cut_before) {
-    TileResult result;
-    result.counts = tracer.counts();
-    result.counts.subtract(before);
-    result.cut = tracer.cut_light();
-    result.cut.paths -= cut_before.paths;
-    result.cut.sum -= cut_before.sum;
-    rows_of(strip, box, [&](std::vector<float>& from, std::size_t first, std::size_t count) {
-      auto const begin = from.begin() + static_cast<std::ptrdiff_t>(first);
-      result.values.insert(result.values.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
-    });
-    options_.checkpoint->keep(pass, static_cast<std::uint32_t>(tile), result);
-  }
-
-  /// The first in rows stays, whatever the order in which they were found.
-  void keep(PixelSampler::Wrong const& wrong, int x, int y) {
-    std::lock_guard const lock(wrong_mutex_);
-    if (wrong_ && number(x, y) > first_wrong_) return;
-    first_wrong_ = number(x, y);
-    wrong_ = {wrong, x, y};
-  }
-
-  /// Traces the sample again, with a record of its path.
-  BadSample look_into(WrongPixel const& found) const {
-    auto const& [wrong, x, y] = found;
-    Tracer tracer = make_tracer();
-    PathRecorder recorder(stage_, negative_light_is_wrong(stage_));
-    tracer.record(recorder);
-    auto const ray = camera_ray(stage_.camera, wrong.x, wrong.y, options_.width, options_.height);
-    std::vector<double> bands(options_.spectral_output ? stage_.film_bands() : 0);
-    tracer.sample(ray, wrong.key, bands);
-    recorder.end(tracer);
-    return {wrong.kind, x, y, wrong.key.number, wrong.rgb, recorder.path()};
-  }
-
-  void report(std::uint32_t pass) {
-    auto const finished = ++finished_[pass];
-    if (!options_.on_progress) return;
-    std::unique_lock const lock(progress_, std::try_to_lock);
-    if (!lock) return;
-    double const tiles = static_cast<double>(across_) * down_;
-    auto const other = static_cast<double>(finished_[1 - pass].load());
-    double const mine = static_cast<double>(finished);
-    double const done = pass == 0 ? first_share_ * mine + (1 - first_share_) * other
-                                  : first_share_ * other + (1 - first_share_) * mine;
-    options_.on_progress({done / tiles, rays_.load()});
-  }
-
-  Stage const& stage_;
-  RenderOptions const& options_;
-  plan::WorkingSpace space_;
-  Region region_;
-  int size_, across_, down_; ///< tiles
-  int strip_rows_ = 1;       ///< rows of tiles in a strip
-  double first_share_ = 1;   ///< of the work that the first pass is
-  RenderResult result_;
-  TileResult kept_; ///< counts of the tiles that the checkpoint had
-  tbb::enumerable_thread_specific<Tracer> tracers_;
-  std::atomic<std::uint64_t> rays_{0};
-  std::atomic<std::uint64_t> finished_[2]{};
-  std::mutex progress_, taking_, wrong_mutex_;
-  std::atomic<std::size_t> first_wrong_{std::numeric_limits<std::size_t>::max()};
-  std::optional<WrongPixel> wrong_;
-};
 
 } // namespace
 
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options) {
-  ABBE_ASSERT(options.width > 0 && options.height > 0);
+  ABBE_ASSERT(options.width > 0 && options.height > 0 && options.passes > 0);
   ABBE_ASSERT(!options.spectral_output || plan.spectral);
   ABBE_ASSERT(!options.rays_of_pixels || !options.checkpoint);
-  Stage stage = compile(scene, plan);
-  if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
-  Frame frame(stage, options, plan::WorkingSpace(scene.settings));
-  if (options.checkpoint) {
-    std::uint32_t const passes = options.anti_aliasing.method == 1 ? 2 : 1;
-    options.checkpoint->begin(frame.tiles(), passes);
+  ABBE_ASSERT(!options.passes_wanted || !options.checkpoint);
+  Stage const stage = make_stage(scene, plan, options);
+  plan::WorkingSpace const space(scene.settings);
+  if (options.rays_of_pixels) {
+    Region const region = options.pixels();
+    options.rays_of_pixels->assign(
+        static_cast<std::size_t>(region.x1 - region.x0) * (region.y1 - region.y0), 0);
   }
-  return frame.run();
+  if (options.passes == 1 && !options.passes_wanted) return make_frame(stage, options, &space);
+  return make_passes(stage, options, space);
 }
 
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,
                                          RenderOptions options,
                                          std::vector<Region> const& regions) {
-  Stage stage = compile(scene, plan);
-  if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
+  Stage const stage = make_stage(scene, plan, options);
+  plan::WorkingSpace const space(scene.settings);
   std::vector<RenderResult> results;
   results.resize(regions.size());
   int const cores = cores_of(options);
   options.threads = 1; // of each region
+  if (options.tile_size == 0) options.tile_size = usual_tile;
   for_each(0, static_cast<int>(regions.size()), cores, [&](int i) {
     auto const at = static_cast<std::size_t>(i);
     auto one = options;
     one.region = regions[at];
-    results[at] = Frame(stage, one, plan::WorkingSpace(scene.settings)).run();
+    results[at] = make_frame(stage, one, &space);
   });
   return results;
 }

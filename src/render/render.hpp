@@ -20,6 +20,9 @@ struct AntiAliasing {
   int depth = 3;
   double threshold = 0.3;
   double jitter = 0; ///< of the sub-pixel positions, 0..1
+  /// Method 1: the ray through the middle counts, beside the grid, in pixels that are sampled
+  /// again.
+  bool middle_counts = true;
 };
 
 struct Region {
@@ -38,11 +41,16 @@ struct RenderOptions {
   int height = 480;
   int threads = 0; ///< 0: all cores
   AntiAliasing anti_aliasing;
+  /// The picture is the mean of so many of these (render/passes.hpp).
+  int passes = 1;
+  /// Asked after each of them, with how many there are: how many shall there be?
+  /// @pre no checkpoint
+  std::function<int(int done)> passes_wanted;
   std::uint64_t seed = 0;
   std::optional<int> max_trace_level; ///< instead of the scene's
   bool spectral_output = false;
   std::optional<Region> region;
-  int tile_size = 32;
+  int tile_size = 0; ///< pixels across a tile; 0: as it suits the size
   std::function<void(Progress const&)> on_progress; ///< called from one thread at a time
   std::atomic<bool> const* stop = nullptr;          ///< set: leave soon
   /// Look at every sample: the first (in rows) whose light is not a number, infinite (as a float)
@@ -78,6 +86,7 @@ struct RenderResult {
   /// (1: white): the mean of all samples, and of the sample that misses most. For surfaces that
   /// pass on no more than arrives.
   double missing_mean = 0, missing_most = 0;
+  int passes = 1; ///< that were made
   bool interrupted = false;
   /// With check_finite: there is no picture because of this.
   std::optional<BadSample> bad_sample;
@@ -88,8 +97,8 @@ struct RenderResult {
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options);
 
-/// Parts of it, each as RenderOptions::region would give it, with the scene made ready once; each
-/// on one thread, `threads` at a time.
+/// Parts of one pass of it, each as RenderOptions::region would give it, with the scene made ready
+/// once; each on one thread, `threads` at a time.
 /// @pre nothing of the options takes what is made: on_rows, on_progress, rays_of_pixels, checkpoint
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,
                                          RenderOptions options, std::vector<Region> const& regions);

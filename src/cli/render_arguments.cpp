@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_arguments.hpp"
+
+#include "render/passes.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <limits>
+#include <sys/resource.h>
+
+namespace abbe::cli {
+namespace {
+
+/// "off" or the depth.
+std::string set_anti_aliasing(std::string const& text, render::AntiAliasing& aa) {
+  if (text == "off") {
+    aa.method = 0;
+    return "";
+  }
+  int depth = 0;
+  auto const [end, failed] = std::from_chars(text.data(), text.data() + text.size(), depth);
+  if (failed != std::errc() || end != text.data() + text.size() || depth < 1 || depth > 64)
+    return "expected 'off' or a depth from 1 to 64, got '" + text + "'";
+  aa.depth = depth;
+  if (aa.method == 0) aa.method = 1;
+  return "";
+}
+
+std::string set_region(std::string const& text, std::optional<render::Region>& out) {
+  render::Region region;
+  int* const numbers[] = {&region.x0, &region.y0, &region.x1, &region.y1};
+  char const* at = text.data();
+  char const* const end = at + text.size();
+  for (int i = 0; i < 4; ++i) {
+    auto const [stop, failed] = std::from_chars(at, end, *numbers[i]);
+    bool const separated = i == 3 ? stop == end : stop != end && *stop == ',';
+    if (failed != std::errc() || !separated) return "expected x0,y0,x1,y1, got '" + text + "'";
+    at = stop + 1;
+  }
+  out = region;
+  return "";
+}
+
+int check_region(std::optional<render::Region> const& region, int width, int height) {
+  if (!region) return 0;
+  if (region->x0 >= 0 && region->y0 >= 0 && region->x0 < region->x1 && region->y0 < region->y1
+      && region->x1 <= width && region->y1 <= height)
+    return 0;
+  fmt::print(stderr, "abbe render: --region {},{},{},{} is not a part of the {} x {} picture\n",
+             region->x0, region->y0, region->x1, region->y1, width, height);
+  return 2;
+}
+
+/// Subdivision makes 4^depth cells of a pixel.
+int check_anti_aliasing(render::AntiAliasing const& aa) {
+  constexpr int deepest = 9;
+  if (aa.method != 2 || aa.depth <= deepest) return 0;
+  fmt::print(stderr, "abbe render: --aa {} is too deep for --aa-method 2; the most is {}\n",
+             aa.depth, deepest);
+  return 2;
+}
+
+/// What this process may allocate (the main program sets it).
+double memory_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<double>::infinity();
+  return static_cast<double>(limit.rlim_cur);
+}
+
+} // namespace
+
+int render_failed(Error const& error, int status) {
+  fmt::print(stderr, "abbe render: error[{}]: {}\n", error.code, error.message);
+  return status;
+}
+
+void add_options(CLI::App& app, RenderArguments& arguments) {
+  auto& options = arguments.options;
+  arguments.scene.add_to(app, true);
+  app.add_option("-o,--output", arguments.output,
+                 "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)")
+      ->check([](std::string const& name) {
+        return name.empty() ? std::string("the name is empty") : std::string();
+      });
+  app.add_option("-j,--threads", options.threads, "threads (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--aa", arguments.anti_aliasing,
+                 "anti-aliasing: up to N x N rays where pixels differ")
+      ->type_name("off|N")
+      ->check(
+          [&](std::string const& text) { return set_anti_aliasing(text, options.anti_aliasing); })
+      ->capture_default_str();
+  app.add_option("--aa-method", options.anti_aliasing.method,
+                 "1: grid in pixels that differ from a neighbour; 2: subdivision from the corners")
+      ->check(CLI::Range(1, 2));
+  app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
+      ->check(CLI::Range(0.0, 3.0))
+      ->capture_default_str();
+  app.add_option("--aa-jitter", options.anti_aliasing.jitter,
+                 "how far the rays of method 1 lie from the middle of their cells, of the cells")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option(
+         "--error", arguments.target.delta_e,
+         "choose mode, bands and anti-aliasing for this mean CIEDE2000 (those given are kept)")
+      ->type_name("DE")
+      ->check(CLI::Range(0.01, 50.0));
+  app.add_option("--time", arguments.time_text,
+                 "choose them for this time of the clock: seconds, or as 30s, 5m")
+      ->type_name("TIME")
+      ->check(
+          [&](std::string const& text) { return parse_duration(text, arguments.target.seconds); })
+      ->excludes("--error");
+  app.add_option("--passes", options.passes,
+                 "the mean of so many pictures with random numbers of their own")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str()
+      ->excludes("--error")
+      ->excludes("--time");
+  app.add_option("--seed", options.seed, "of all random numbers")->capture_default_str();
+  app.add_option("--region", arguments.region, "render this part only; x1, y1 not included")
+      ->type_name("x0,y0,x1,y1")
+      ->check([&](std::string const& text) { return set_region(text, options.region); });
+  app.add_option("--tile", options.tile_size,
+                 "pixels across a tile (default: 32, fewer in small pictures)")
+      ->check(CLI::Range(1, 4096));
+  app.add_option("--exposure", arguments.exposure_ev, "stops, of PNG output")
+      ->capture_default_str();
+  app.add_option("--gamut", arguments.gamut,
+                 "of PNG output: clip, standard or hue (see abbe tonemap --help)")
+      ->check(CLI::IsMember({"clip", "standard", "hue"}))
+      ->capture_default_str();
+  app.add_flag("--half", arguments.half, "16-bit EXR");
+  app.add_flag("--check-finite", options.check_finite,
+               "end at the first sample that is not a number, infinite or negative, and say which "
+               "path made it");
+  app.add_option("--max-trace-level", options.max_trace_level,
+                 "paths end after as many surfaces (default: the scene's)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--stats", arguments.stats, "write seconds and rays by kind to FILE, as JSON")
+      ->type_name("FILE");
+  auto* cost_map =
+      app.add_option("--cost-map", arguments.cost_map,
+                     "write the number of rays of each pixel to FILE.exr; keeps no checkpoint")
+          ->type_name("FILE");
+  auto* resume = app.add_flag("--resume", arguments.resume,
+                              "go on from OUT.abbe-checkpoint, which an interrupted render left")
+                     ->excludes(cost_map);
+  auto* always = app.add_flag("--checkpoint", arguments.checkpoint,
+                              "keep finished tiles from the first on (default: after 5 s)")
+                     ->excludes(cost_map);
+  app.add_flag("--no-checkpoint", arguments.no_checkpoint, "keep none")
+      ->excludes(resume)
+      ->excludes(always);
+}
+
+int check(RenderArguments const& arguments) {
+  auto const& options = arguments.options;
+  if (int const bad = check_region(options.region, arguments.scene.width, arguments.scene.height))
+    return bad;
+  if (arguments.target.seconds > 0 && (arguments.resume || arguments.checkpoint)) {
+    fmt::print(stderr, "abbe render: --time goes by the clock and keeps no checkpoint; the setting "
+                       "that it tells at the end can be rendered with one\n");
+    return 2;
+  }
+  return check_anti_aliasing(options.anti_aliasing);
+}
+
+bool passes_fit(RenderArguments const& arguments, plan::Plan const& plan) {
+  return render::bytes_of_sums(plan, arguments.options) < memory_limit();
+}
+
+int check_passes(RenderArguments const& arguments, plan::Plan const& plan) {
+  auto const& options = arguments.options;
+  if (options.passes == 1) return 0;
+  if (!render::passes_differ(plan, options.anti_aliasing)) {
+    fmt::print(stderr,
+               "abbe render: --passes {}: each would be the same picture; passes need "
+               "random numbers: --aa N --aa-jitter 1, or a stochastic mode of dispersion\n",
+               options.passes);
+    return 2;
+  }
+  if (passes_fit(arguments, plan)) return 0;
+  return render_failed(
+      {"E0706", fmt::format("--passes {} holds the sums of the whole picture: {:.3g} GB, more "
+                            "than there is; make it in parts with --region, or in one pass",
+                            options.passes, render::bytes_of_sums(plan, options) * 1e-9)},
+      1);
+}
+
+} // namespace abbe::cli

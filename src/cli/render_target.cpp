@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_target.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace abbe::cli {
+namespace {
+
+/// Of the time: what counts as within it.
+constexpr double most_late = 1.25;
+
+/// What was not given but chosen, as options.
+std::string options_of(study::Choice const& choice, RenderArguments const& arguments) {
+  std::string out;
+  if (!choice.dispersion.empty()) out += fmt::format(" --dispersion \"{}\"", choice.dispersion);
+  if (!choice.representation.empty())
+    out += fmt::format(" --representation {}", choice.representation);
+  if (choice.bands && !arguments.scene.bands) out += fmt::format(" --bands {}", *choice.bands);
+  if (arguments.target.keep_aa) return out;
+  auto const& aa = choice.aa;
+  if (aa.method == 0) return out + " --aa off";
+  return out
+         + fmt::format(" --aa {} --aa-threshold {} --aa-jitter {}", aa.depth, aa.threshold,
+                       aa.jitter);
+}
+
+} // namespace
+
+int choose(RenderArguments& arguments, lang::Evaluated const& evaluated, Stopwatch const& since,
+           std::string& chosen) {
+  auto& options = arguments.options;
+  auto target = arguments.target;
+  if (target.seconds > 0) target.seconds = std::max(1e-3, target.seconds - since.wall_s());
+  auto const choice =
+      study::choose_setting(evaluated.scene, overrides_of(arguments.scene), options, target);
+  if (interrupted()) return 130;
+  if (!choice) return render_failed(choice.error(), 1);
+  chosen = options_of(*choice, arguments);
+  if (choice->bands && !arguments.scene.bands) arguments.scene.bands = choice->bands;
+  if (!choice->dispersion.empty()) arguments.scene.dispersion = choice->dispersion;
+  if (!choice->representation.empty()) arguments.scene.representation = choice->representation;
+  options.anti_aliasing = choice->aa;
+  if (arguments.scene.quiet) return 0;
+  fmt::print(stderr,
+             "abbe: {}: expected error {:.3g} (mean CIEDE2000), about {:.2g} s; the {} of {} "
+             "settings tried on {:.2g} % of the picture\n",
+             choice->text, choice->expected_delta_e, choice->expected_s,
+             target.seconds > 0 ? "closest in the time"
+             : choice->reached  ? "one with the fewest rays"
+                                : "closest",
+             choice->probes, 100 * choice->probe_share);
+  if (!choice->reached)
+    fmt::print(stderr, "abbe: the {} cannot be reached with what may be chosen\n",
+               target.seconds > 0 ? "time" : "error");
+  else if (target.delta_e > 0 && choice->expected_delta_e < 0.75 * target.delta_e)
+    fmt::print(stderr, "abbe: nothing cheaper is less exact than asked for\n");
+  return 0;
+}
+
+int PassClock::wanted(int done) const {
+  double const now_s = since_.wall_s(), left_s = target_s_ - now_s;
+  double const each_s = (now_s - begin_s_) / done;
+  // To the nearest, unless that would be late.
+  double const more = std::clamp(std::floor(left_s / each_s + 0.5), 0.0, 1e6);
+  if (more == 1 && now_s + each_s > most_late * target_s_) return done;
+  return done + static_cast<int>(more);
+}
+
+void say_again(RenderArguments const& arguments, std::string const& chosen, int passes) {
+  fmt::print(stderr, "abbe: {} pass{}; the same bytes again without a clock, for --time {}:{}{}\n",
+             passes, passes == 1 ? "" : "es", arguments.time_text, chosen,
+             passes == 1 ? "" : fmt::format(" --passes {}", passes));
+}
+
+} // namespace abbe::cli
