@@ -98,24 +98,25 @@ void propose(Nearest& nearest, std::size_t at, M const& valid, L const& t, L con
   keep(nearest.proposal, L(number));
 }
 
+template <class L>
+lane::Vec<L> load(FanVectors const& v, std::size_t at) {
+  return {lane::load<L>(v.x + at), lane::load<L>(v.y + at), lane::load<L>(v.z + at)};
+}
+
 /// A convex shape that is a solid by itself: its first end after the start.
 template <class L>
 void propose_convex(Query const& query, Placed const& placed, EndsKernel const& shape,
                     Start const* start, double number) {
-  L const zero(0.0), one(1.0);
   FanLines const& rays = query.rays;
-  for (std::size_t at = 0; at < rays.count; at += 4) {
-    auto const vec = [&](FanVectors const& v) {
-      return lane::Vec<L>{lane::load<L>(v.x + at), lane::load<L>(v.y + at),
-                          lane::load<L>(v.z + at)};
-    };
-    Ends<L> ends;
-    shape.ends(placed.line<L>(vec(rays.origin), vec(rays.direction)), start, ends);
-    FirstEnd<L> const first = first_end(ends, start == nullptr && query.from != nullptr);
-    if (lane::none(first.valid)) continue;
-    propose<L>(query.nearest, at, first.valid, first.t, L(group_margin) * first.error, first.face,
-               lane::select(first.enters, one, zero), number);
-  }
+  lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
+    Ends<Lanes> ends;
+    shape.ends(placed.line<Lanes>(load<Lanes>(rays.origin, at), load<Lanes>(rays.direction, at)),
+               start, ends);
+    FirstEnd<Lanes> const first = first_end(ends, start == nullptr && query.from != nullptr);
+    if (lane::none(first.valid)) return;
+    propose<Lanes>(query.nearest, at, first.valid, first.t, Lanes(group_margin) * first.error,
+                   first.face, lane::select(first.enters, Lanes(1.0), Lanes(0.0)), number);
+  });
 }
 
 /// Any solid, for one ray.
@@ -140,77 +141,80 @@ void propose_any(Query const& query, World::Impl const& world, SolidId id, std::
       });
 }
 
-/// The intersection of convex operands: their first end after the start.
+/// The intersection of convex operands: the first end after the start of some of the rays.
 template <class L>
-void propose_cut(Query const& query, World::Impl const& world, SolidId id, ConvexCut const& cut) {
+void propose_cut_at(Query const& query, World::Impl const& world, SolidId id, ConvexCut const& cut,
+                    CutDeparture const& departure, std::size_t at) {
   L const zero(0.0), one(1.0), far(infinity);
   FanLines const& rays = query.rays;
   HalfSpaces const& planes = cut.planes();
-  CutDeparture const departure = departure_of(planes, query.from);
   std::vector<FanProposal>& proposals = query.proposals;
-  for (std::size_t at = 0; at < rays.count; at += 4) {
-    std::size_t const lanes = std::min<std::size_t>(4, rays.count - at);
-    if (departure.unclear) {
-      for (std::size_t k = at; k < at + lanes; ++k) propose_any(query, world, id, k);
+  constexpr std::size_t width = lane::width<L>;
+  std::size_t const lanes = std::min(width, rays.count - at);
+  LaneRays<L> const lines{load<L>(rays.origin, at), load<L>(rays.direction, at),
+                          load<L>(rays.origin_error, at)};
+  CutEnd<L> const first = first_end_of<L>(cut, world.primitives, lines, query.from, departure);
+  alignas(64) double unclear[width], place[width];
+  lane::store(unclear, lane::select(first.unclear, one, zero));
+  lane::store(place, lane::select(first.found, first.place, -one));
+  for (std::size_t k = 0; k < lanes; ++k) {
+    if (unclear[k] != 0) propose_any(query, world, id, at + k);
+    double const own = place[k];
+    bool const known = !(own >= 0) || std::find(place, place + k, own) != place + k;
+    if (known) continue; // nothing, or an earlier lane has asked for all
+    auto const here = lane::both(first.found, first.place == L(own));
+    double const number = static_cast<double>(proposals.size());
+    auto const i = static_cast<std::size_t>(own);
+    if (i >= planes.count()) {
+      proposals.push_back({id, cut.others()[i - planes.count()].primitive, false, true, true});
+      propose<L>(query.nearest, at, here, first.t, first.error, first.face,
+                 lane::select(first.enters, one, zero), number);
       continue;
     }
-    auto const vec = [&](FanVectors const& v) {
-      return lane::Vec<L>{lane::load<L>(v.x + at), lane::load<L>(v.y + at),
-                          lane::load<L>(v.z + at)};
-    };
-    LaneRays<L> const lines{vec(rays.origin), vec(rays.direction), vec(rays.origin_error)};
-    CutEnd<L> const first = first_end_of<L>(cut, world.primitives, lines, query.from, departure);
-    alignas(32) double unclear[4], place[4];
-    lane::store(unclear, lane::select(first.unclear, one, zero));
-    lane::store(place, lane::select(first.found, first.place, -one));
-    for (std::size_t k = 0; k < lanes; ++k) {
-      if (unclear[k] != 0) propose_any(query, world, id, at + k);
-      double const own = place[k];
-      bool const known = !(own >= 0) || std::find(place, place + k, own) != place + k;
-      if (known) continue; // nothing, or an earlier lane has asked for all
-      auto const here = lane::both(first.found, first.place == L(own));
-      double const number = static_cast<double>(proposals.size());
-      auto const i = static_cast<std::size_t>(own);
-      if (i >= planes.count()) {
-        proposals.push_back({id, cut.others()[i - planes.count()].primitive, false, true, true});
-        propose<L>(query.nearest, at, here, first.t, first.error, first.face,
-                   lane::select(first.enters, one, zero), number);
-        continue;
-      }
-      PrimitiveId const primitive = planes.primitives()[i];
-      Placed const& placed = world.primitives[primitive];
-      Ends<L> ends;
-      placed.shape().ends_kernel()->ends(placed.line<L>(lines.origin, lines.direction), nullptr,
-                                         ends);
-      auto const entering = -far < ends.in_t; // one of the two is infinite
-      L const t = lane::select(entering, ends.in_t, ends.out_t);
-      L const error = lane::select(entering, ends.in_error, ends.out_error);
-      proposals.push_back({id, primitive, planes.outside_counts(i), true, true});
-      propose<L>(query.nearest, at, lane::both(here, lane::abs(t) < far), t,
-                 L(group_margin) * error, zero, lane::select(entering, one, zero), number);
-    }
+    PrimitiveId const primitive = planes.primitives()[i];
+    Placed const& placed = world.primitives[primitive];
+    Ends<L> ends;
+    placed.shape().ends_kernel()->ends(placed.line<L>(lines.origin, lines.direction), nullptr,
+                                       ends);
+    auto const entering = -far < ends.in_t; // one of the two is infinite
+    L const t = lane::select(entering, ends.in_t, ends.out_t);
+    L const error = lane::select(entering, ends.in_error, ends.out_error);
+    proposals.push_back({id, primitive, planes.outside_counts(i), true, true});
+    propose<L>(query.nearest, at, lane::both(here, lane::abs(t) < far), t, L(group_margin) * error,
+               zero, lane::select(entering, one, zero), number);
   }
+}
+template <class L>
+void propose_cut(Query const& query, World::Impl const& world, SolidId id, ConvexCut const& cut) {
+  CutDeparture const departure = departure_of(cut.planes(), query.from);
+  if (departure.unclear) {
+    for (std::size_t k = 0; k < query.rays.count; ++k) propose_any(query, world, id, k);
+    return;
+  }
+  lane::in_lanes<L>(query.rays.count, [&]<class Lanes>(std::size_t at) {
+    propose_cut_at<Lanes>(query, world, id, cut, departure, at);
+  });
 }
 
 /// set_point() for all rays; without meaning for those that met nothing.
 template <class L>
 void find_points(FanLines const& rays, Nearest const& nearest, FanHits& out) {
-  for (std::size_t at = 0; at < rays.count; at += 4) {
-    L const t = lane::load<L>(nearest.t + at), error = lane::load<L>(nearest.error + at);
+  lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
+    auto const t = lane::load<Lanes>(nearest.t + at), error = lane::load<Lanes>(nearest.error + at);
     lane::store(out.t + at, t);
     lane::store(out.error + at, error);
     auto const along = [&](double const* origin, double const* direction, double* point,
                            double* point_error) {
-      L const d = lane::load<L>(direction + at), step = t * d;
-      L const p = lane::load<L>(origin + at) + step;
+      auto const d = lane::load<Lanes>(direction + at), step = t * d;
+      auto const p = lane::load<Lanes>(origin + at) + step;
       lane::store(point + at, p);
       lane::store(point_error + at,
-                  lane::abs(d) * error + L(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
+                  lane::abs(d) * error + Lanes(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
     };
     along(rays.origin.x, rays.direction.x, out.point.x, out.point_error.x);
     along(rays.origin.y, rays.direction.y, out.point.y, out.point_error.y);
     along(rays.origin.z, rays.direction.z, out.point.z, out.point_error.z);
-  }
+  });
 }
 
 /// What is known of the surfaces.
@@ -244,31 +248,44 @@ struct Kernels {
   void (*points)(FanLines const&, Nearest const&, FanHits&);
   FanExtents (*extents)(FanLines const&);
 };
+using lane::Double4;
+constexpr Kernels narrow_kernels = {propose_convex<Double4>, propose_cut<Double4>,
+                                    find_points<Double4>, extents_of<Double4>};
 #if ABBE_HAS_WIDE_LANES
+using lane::Wide4, lane::Wide8;
 ABBE_FOR_AVX2 void propose_convex_wide(Query const& query, Placed const& placed,
                                        EndsKernel const& shape, Start const* start, double number) {
-  propose_convex<lane::Wide4>(query, placed, shape, start, number);
+  propose_convex<Wide4>(query, placed, shape, start, number);
 }
 ABBE_FOR_AVX2 void propose_cut_wide(Query const& query, World::Impl const& world, SolidId id,
                                     ConvexCut const& cut) {
-  propose_cut<lane::Wide4>(query, world, id, cut);
+  propose_cut<Wide4>(query, world, id, cut);
 }
 ABBE_FOR_AVX2 void find_points_wide(FanLines const& rays, Nearest const& nearest, FanHits& out) {
-  find_points<lane::Wide4>(rays, nearest, out);
+  find_points<Wide4>(rays, nearest, out);
 }
 ABBE_FOR_AVX2 FanExtents extents_wide(FanLines const& rays) {
-  return extents_of<lane::Wide4>(rays);
+  return extents_of<Wide4>(rays);
 }
+ABBE_FOR_AVX512 void propose_convex_widest(Query const& query, Placed const& placed,
+                                           EndsKernel const& shape, Start const* start,
+                                           double number) {
+  propose_convex<Wide8>(query, placed, shape, start, number);
+}
+ABBE_FOR_AVX512 void propose_cut_widest(Query const& query, World::Impl const& world, SolidId id,
+                                        ConvexCut const& cut) {
+  propose_cut<Wide8>(query, world, id, cut);
+}
+ABBE_FOR_AVX512 void find_points_widest(FanLines const& rays, Nearest const& nearest,
+                                        FanHits& out) {
+  find_points<Wide8>(rays, nearest, out);
+}
+Kernels const native = for_registers<Kernels>(
+    narrow_kernels, {propose_convex_wide, propose_cut_wide, find_points_wide, extents_wide},
+    {propose_convex_widest, propose_cut_widest, find_points_widest, extents_wide});
+#else
+Kernels const native = narrow_kernels;
 #endif
-Kernels const native = [] {
-#if ABBE_HAS_WIDE_LANES
-  if (has_wide_registers())
-    return Kernels{propose_convex_wide, propose_cut_wide, find_points_wide, extents_wide};
-#endif
-  using lane::Double4;
-  return Kernels{propose_convex<Double4>, propose_cut<Double4>, find_points<Double4>,
-                 extents_of<Double4>};
-}();
 
 } // namespace
 

@@ -135,9 +135,9 @@ ABBE_FOR_AVX2 int count_near_wide(HalfSpaceScratch const& scratch, Bound const& 
                                   double error) {
   return count_near<Entering, lane::Wide4>(scratch, bound, t, error);
 }
-Kernels const native = has_wide_registers() ? Kernels{measure_wide, find_ends_wide,
-                                                      count_near_wide<true>, count_near_wide<false>}
-                                            : narrow_kernels;
+constexpr Kernels wide_kernels = {measure_wide, find_ends_wide, count_near_wide<true>,
+                                  count_near_wide<false>};
+Kernels const native = for_registers(narrow_kernels, wide_kernels, wide_kernels);
 #else
 Kernels const native = narrow_kernels;
 #endif

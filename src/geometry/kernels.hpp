@@ -131,8 +131,9 @@ Slice<L> cube(Line<L> const& l) {
 /// Ball of radius 1 about the origin, or (`Endless`) about the y axis. The discriminant is taken at
 /// the closest approach, as (1 - r)(1 + r).
 template <bool Endless, class L>
-Slice<L> ball(Line<L> line, L const& face) {
+Slice<L> ball(Line<L> const& given, L const& face) {
   L const zero(0.0), one(1.0), far(infinity);
+  Line<L> line = given;
   if constexpr (Endless) {
     line.origin.y = line.direction.y = zero;
     line.origin_rounding.y = line.direction_rounding.y = line.slack.y = zero;

@@ -4,8 +4,29 @@
 #include "geometry/lane_types.hpp"
 #include "geometry/wide_lane.hpp"
 
+#include <cstddef>
+
 /// What the kernels compute with, for any lane type.
 namespace abbe::geometry::lane {
+
+/// Doubles side by side.
+template <class L>
+inline constexpr std::size_t width = sizeof(L) / sizeof(double);
+
+/// work.operator()<Lanes>(at) for `count` values, whole lanes from `at` on. Where no more than four
+/// are left, four are looked at, however wide L is: arrays are filled up to whole fours.
+template <class L, class Work>
+void in_lanes(std::size_t count, Work&& work) {
+  std::size_t at = 0;
+#if ABBE_HAS_WIDE_LANES
+  if constexpr (width<L> == 8) {
+    for (; at + 4 < count; at += 8) work.template operator()<L>(at);
+    if (at < count) work.template operator()<Wide4>(at);
+    return;
+  }
+#endif
+  for (; at < count; at += width<L>) work.template operator()<L>(at);
+}
 
 template <class L>
 L min(L const& a, L const& b) {

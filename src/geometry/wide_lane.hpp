@@ -3,15 +3,19 @@
 
 #include "geometry/lane_types.hpp"
 
-/// Four doubles in one register, for code that is compiled for AVX2 (ABBE_FOR_AVX2) and chosen at
-/// run time. The same operations as lane::Double4, so the same bits. (Not with clang, which refuses
-/// such registers in code that is not all for AVX2.)
+/// Four and eight doubles in one register, for code that is compiled for AVX2 or AVX-512
+/// (ABBE_FOR_AVX2, ABBE_FOR_AVX512) and chosen at run time. The same operations as lane::Double4,
+/// so the same bits. (Not with clang, which refuses such registers in code that is not all for
+/// them.)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#include <cstdint>
 #include <immintrin.h>
 #define ABBE_HAS_WIDE_LANES 1
 /// Everything that the function calls and whose body is known becomes part of it, for the wider
 /// registers, too.
 #define ABBE_FOR_AVX2 __attribute__((target("avx2"), flatten))
+#define ABBE_FOR_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl"), flatten))
+#define ABBE_IN_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl"))) inline
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // passed by value only where it is inlined
 
@@ -23,7 +27,7 @@ struct Wide4 {
   Register v;
   Wide4() = default;
   Wide4(double all) : v{all, all, all, all} {}
-  explicit Wide4(Register r) : v(r) {}
+  explicit Wide4(Register const& r) : v(r) {}
   Wide4(double a, double b, double c, double d) : v{a, b, c, d} {}
   friend Wide4 operator+(Wide4 const& a, Wide4 const& b) { return Wide4(a.v + b.v); }
   friend Wide4 operator-(Wide4 const& a, Wide4 const& b) { return Wide4(a.v - b.v); }
@@ -89,6 +93,80 @@ __attribute__((target("avx2"))) inline Wide4 abs(Wide4 const& a) {
   return Wide4(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v));
 }
 inline double get(Wide4 const& a, int i) {
+  return a.v[i];
+}
+
+struct WideMask8;
+struct Wide8 {
+  using Register = double __attribute__((vector_size(64)));
+  Register v;
+  Wide8() = default;
+  Wide8(double all) : v{all, all, all, all, all, all, all, all} {}
+  explicit Wide8(Register const& r) : v(r) {}
+  friend Wide8 operator+(Wide8 const& a, Wide8 const& b) { return Wide8(a.v + b.v); }
+  friend Wide8 operator-(Wide8 const& a, Wide8 const& b) { return Wide8(a.v - b.v); }
+  friend Wide8 operator*(Wide8 const& a, Wide8 const& b) { return Wide8(a.v * b.v); }
+  friend Wide8 operator/(Wide8 const& a, Wide8 const& b) { return Wide8(a.v / b.v); }
+  friend Wide8 operator-(Wide8 const& a) { return Wide8(-a.v); }
+};
+/// A bit a lane.
+struct WideMask8 {
+  std::uint8_t bits;
+};
+ABBE_IN_AVX512 WideMask8 operator<(Wide8 const& a, Wide8 const& b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};
+}
+ABBE_IN_AVX512 WideMask8 operator<=(Wide8 const& a, Wide8 const& b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ)};
+}
+ABBE_IN_AVX512 WideMask8 operator==(Wide8 const& a, Wide8 const& b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)};
+}
+ABBE_IN_AVX512 WideMask8 operator>(Wide8 const& a, Wide8 const& b) {
+  return b < a;
+}
+ABBE_IN_AVX512 WideMask8 operator>=(Wide8 const& a, Wide8 const& b) {
+  return b <= a;
+}
+inline WideMask8 both(WideMask8 a, WideMask8 b) {
+  return {static_cast<std::uint8_t>(a.bits & b.bits)};
+}
+inline WideMask8 either(WideMask8 a, WideMask8 b) {
+  return {static_cast<std::uint8_t>(a.bits | b.bits)};
+}
+inline WideMask8 negate(WideMask8 a) {
+  return {static_cast<std::uint8_t>(~a.bits)};
+}
+inline WideMask8 operator&(WideMask8 a, WideMask8 b) {
+  return both(a, b);
+}
+inline WideMask8 operator|(WideMask8 a, WideMask8 b) {
+  return either(a, b);
+}
+inline WideMask8 operator!(WideMask8 a) {
+  return negate(a);
+}
+inline bool none(WideMask8 a) {
+  return a.bits == 0;
+}
+ABBE_IN_AVX512 Wide8 select(WideMask8 mask, Wide8 const& a, Wide8 const& b) {
+  return Wide8(_mm512_mask_blend_pd(mask.bits, b.v, a.v));
+}
+/// Masked, for the plain one is written with a value that is not initialised (GCC 12 warns).
+ABBE_IN_AVX512 Wide8 sqrt(Wide8 const& a) {
+  return Wide8(_mm512_maskz_sqrt_pd(0xff, a.v));
+}
+template <>
+ABBE_IN_AVX512 Wide8 load<Wide8>(double const* from) {
+  return Wide8(_mm512_loadu_pd(from));
+}
+ABBE_IN_AVX512 void store(double* to, Wide8 const& a) {
+  _mm512_storeu_pd(to, a.v);
+}
+ABBE_IN_AVX512 Wide8 abs(Wide8 const& a) {
+  return Wide8(_mm512_andnot_pd(_mm512_set1_pd(-0.0), a.v));
+}
+inline double get(Wide8 const& a, int i) {
   return a.v[i];
 }
 

@@ -20,9 +20,9 @@ double power_of_two(double shifted) {
 }
 template <class L>
 L power_of_two(L const& shifted) {
-  double k[4];
+  double k[lane::width<L>];
   lane::store(k, shifted);
-  std::uint64_t bits[4];
+  std::uint64_t bits[lane::width<L>];
   std::memcpy(bits, k, sizeof bits);
   for (std::uint64_t& b : bits) b = (b + 1023) << 52;
   std::memcpy(k, bits, sizeof bits);
@@ -65,13 +65,14 @@ L attenuation(L const& depth) {
 
 template <class L>
 void absorb(double const* depths, std::size_t count, double* values) {
-  std::size_t at = 0;
-  for (; at + 4 <= count; at += 4)
-    lane::store(values + at, lane::load<L>(values + at) * attenuation(lane::load<L>(depths + at)));
-  if (at == count) return;
-  double rest[4];
-  lane::store(rest, attenuation(lane::load<L>(depths + at)));
-  for (std::size_t i = at; i < count; ++i) values[i] *= rest[i - at];
+  lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t at) {
+    Lanes const left = attenuation(lane::load<Lanes>(depths + at));
+    if (at + lane::width<Lanes> <= count)
+      return lane::store(values + at, lane::load<Lanes>(values + at) * left);
+    double rest[lane::width<Lanes>];
+    lane::store(rest, left);
+    for (std::size_t i = at; i < count; ++i) values[i] *= rest[i - at];
+  });
 }
 
 using Absorber = void (*)(double const*, std::size_t, double*);
@@ -79,7 +80,11 @@ using Absorber = void (*)(double const*, std::size_t, double*);
 ABBE_FOR_AVX2 void absorb_wide(double const* depths, std::size_t count, double* values) {
   absorb<lane::Wide4>(depths, count, values);
 }
-Absorber const absorber = geometry::has_wide_registers() ? absorb_wide : absorb<lane::Double4>;
+ABBE_FOR_AVX512 void absorb_widest(double const* depths, std::size_t count, double* values) {
+  absorb<lane::Wide8>(depths, count, values);
+}
+Absorber const absorber =
+    geometry::for_registers<Absorber>(absorb<lane::Double4>, absorb_wide, absorb_widest);
 #else
 Absorber const absorber = absorb<lane::Double4>;
 #endif

@@ -2,6 +2,7 @@
 #include "render/sample_film.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace abbe::render {
 
@@ -30,13 +31,14 @@ SampleFilm::SampleFilm(Stage const& stage, WaveTables const& waves, std::size_t 
     slots = part.end = part.picked_control + (comb.picks_one() ? n : 0);
     parts_.push_back(part);
   }
-  stride_ = slots + std::size_t{stage.combs.empty() ? 0U : 1U};
-  values_.resize(samples * stride_);
+  slots_ = slots;
+  stride_bits_ = static_cast<std::uint32_t>(std::bit_width(slots));
+  values_.resize(samples << stride_bits_);
   plain_.resize(n);
 }
 
 void SampleFilm::start_samples(std::size_t count) {
-  std::fill_n(values_.begin(), count * stride_, 0.0);
+  std::fill_n(values_.begin(), count << stride_bits_, 0.0);
 }
 
 bool SampleFilm::is_dark(double const* values, int comb) const {
@@ -46,7 +48,7 @@ bool SampleFilm::is_dark(double const* values, int comb) const {
 
 Vec3 SampleFilm::resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
-  double const* const values = values_.data() + sample * stride_;
+  double const* const values = values_.data() + first(sample);
   std::fill(bands.begin(), bands.end(), 0.0);
   Vec3 rgb(0);
   double const* plain = values;
@@ -152,8 +154,8 @@ Vec3 SampleFilm::colour(std::uint32_t slot, WaveTables& waves) const {
 Vec3 SampleFilm::comb_colour(std::size_t sample, int comb, std::uint32_t slot,
                              WaveTables& waves) const {
   Part const& p = part(comb);
-  auto const first = waves.spreads(waves.first_draw(comb), sample);
   if (doubles(settings(comb))) {
+    auto const first = waves.spreads(waves.first_draw(comb), sample);
     if (slot < p.control) {
       auto const i = slot - p.light;
       return doubled_colour(sample, waves, comb,

@@ -37,10 +37,10 @@ public:
   std::size_t size() const { return values_.size(); }
   /// Of all slots of a sample that count.
   std::span<double const> light(std::size_t sample) const {
-    return {values_.data() + sample * stride_, stride_ - (stage_.combs.empty() ? 0 : 1)};
+    return {values_.data() + first(sample), slots_};
   }
   /// Whose slot it is.
-  std::size_t sample_of(std::uint32_t slot) const { return slot / stride_; }
+  std::size_t sample_of(std::uint32_t slot) const { return slot >> stride_bits_; }
   std::uint32_t channel_slot(std::size_t sample, int channel) const {
     return first(sample) + static_cast<std::uint32_t>(channel);
   }
@@ -64,10 +64,8 @@ public:
   std::uint32_t picked_control_slot(std::size_t sample, int comb, int channel) const {
     return first(sample) + part(comb).picked_control + static_cast<std::uint32_t>(channel);
   }
-  /// Light that is put here is lost. @pre there are combs
-  std::uint32_t unused_slot(std::size_t sample) const {
-    return first(sample) + static_cast<std::uint32_t>(stride_ - 1);
-  }
+  /// Light that is put here is lost.
+  std::uint32_t unused_slot(std::size_t sample) const { return first(sample) + slots_; }
 
   /// What one unit of light in a slot adds to the sample, linear sRGB.
   Vec3 colour(std::uint32_t slot, WaveTables& waves) const;
@@ -84,7 +82,7 @@ private:
     return stage_.combs[static_cast<std::size_t>(comb)];
   }
   std::uint32_t first(std::size_t sample) const {
-    return static_cast<std::uint32_t>(sample * stride_);
+    return static_cast<std::uint32_t>(sample << stride_bits_);
   }
   bool is_dark(double const* values, int comb) const;
   /// Adds light of the channels to the spectral film, where there is one.
@@ -98,7 +96,8 @@ private:
   Vec3 comb_colour(std::size_t sample, int comb, std::uint32_t slot, WaveTables& waves) const;
 
   Stage const& stage_;
-  std::size_t stride_ = 0; ///< slots of a sample
+  std::uint32_t slots_ = 0;       ///< of a sample, that count
+  std::uint32_t stride_bits_ = 0; ///< room for them and the unused one: a power of two
   std::vector<double> values_;
   std::vector<Part> parts_; ///< by comb
   mutable std::vector<double> plain_;

@@ -18,7 +18,7 @@ struct Ends {
   L in_t, in_error, out_t, out_error, in_face, out_face;
 };
 
-/// A convex shape's ends for one line or four at once: crossings() without its lists.
+/// A convex shape's ends for one line or several at once: crossings() without its lists.
 class EndsKernel {
 public:
   virtual ~EndsKernel() = default;
@@ -30,6 +30,8 @@ public:
 #if ABBE_HAS_WIDE_LANES
   virtual void ends(Line<lane::Wide4> const& lines, Start const* start,
                     Ends<lane::Wide4>& out) const = 0;
+  virtual void ends(Line<lane::Wide8> const& lines, Start const* start,
+                    Ends<lane::Wide8>& out) const = 0;
 #endif
   /// Both ends are there to be seen: crossings() are these, and nothing else.
   virtual bool ends_visible() const = 0;
@@ -79,6 +81,10 @@ public:
 #if ABBE_HAS_WIDE_LANES
   ABBE_FOR_AVX2 void ends(Line<lane::Wide4> const& lines, Start const* start,
                           Ends<lane::Wide4>& out) const override {
+    out = ends_of(lines, start);
+  }
+  ABBE_FOR_AVX512 void ends(Line<lane::Wide8> const& lines, Start const* start,
+                            Ends<lane::Wide8>& out) const override {
     out = ends_of(lines, start);
   }
 #endif
