@@ -57,14 +57,20 @@ void run() {
   auto const number = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53);
   };
+  // One after the other: arguments may be evaluated in any order.
+  auto const near = [&](Vec3 place, double reach) {
+    place.x += number(-reach, reach);
+    place.y += number(-reach, reach);
+    return place;
+  };
   for (int fan = 0; fan < 4000; ++fan) {
     FanLines lines;
     lines.count = 1 + static_cast<std::size_t>(fan) % fan_width;
-    Vec3 const aim(number(-0.8, 0.8), number(-0.4, 0.4), 1);
+    Vec3 const aim = near(Vec3(0, 0, 1), 0.8);
     double const spread = fan % 3 == 0 ? 0.2 : 0.01;
     for (std::size_t k = 0; k < lines.count; ++k) {
-      Vec3 const way = aim + Vec3(number(-spread, spread), number(-spread, spread), 0);
-      lines.origin.set(k, Vec3(number(-0.1, 0.1), 0, 0));
+      Vec3 const way = near(aim, spread);
+      lines.origin.set(k, near(Vec3(0), 0.1));
       lines.direction.set(k, way / std::sqrt(glm::dot(way, way)));
       lines.origin_error.set(k, Vec3(0));
     }
