@@ -140,19 +140,40 @@ Vec3 SampleFilm::doubled_colour(std::size_t sample, WaveTables& waves, int comb,
          + spread.second_weight * stage_.rgb_weights[static_cast<std::size_t>(spread.second)];
 }
 
-Vec3 SampleFilm::colour(std::uint32_t slot, WaveTables& waves) const {
+Vec3 SampleFilm::size_of(std::uint32_t const* slots, double const* light, int count,
+                         WaveTables& waves) const {
   auto const n = static_cast<std::uint32_t>(stage_.channels);
-  std::size_t const sample = sample_of(slot);
-  std::uint32_t const own = slot - first(sample);
-  if (own < n) return stage_.rgb_weights[own];
-  if (slot == unused_slot(sample)) return Vec3(0);
-  int comb = 0;
-  while (own >= part(comb).end) ++comb;
-  return comb_colour(sample, comb, own, waves);
+  Vec3 sum(0);
+  Drawn of;
+  for (int k = 0; k < count; ++k) {
+    if (light[k] == 0) continue;
+    std::size_t const sample = sample_of(slots[k]);
+    std::uint32_t const own = slots[k] - first(sample);
+    if (own == slots_) continue; // unused
+    if (own < n) {
+      sum += light[k] * glm::abs(stage_.rgb_weights[own]);
+      continue;
+    }
+    int comb = 0;
+    while (own >= part(comb).end) ++comb;
+    if (of.comb != comb || of.sample != sample) of = drawn(sample, comb, waves);
+    sum += light[k] * glm::abs(comb_colour(of, own, waves));
+  }
+  return sum;
 }
 
-Vec3 SampleFilm::comb_colour(std::size_t sample, int comb, std::uint32_t slot,
-                             WaveTables& waves) const {
+SampleFilm::Drawn SampleFilm::drawn(std::size_t sample, int comb, WaveTables& waves) const {
+  Drawn out{comb, sample, {}, {}, {}};
+  if (doubles(settings(comb))) return out;
+  int const wave = waves.first_draw(comb);
+  out.weights = waves.rgb_weights(wave, sample);
+  out.channels = waves.channels(wave, sample);
+  if (settings(comb).picks_one()) out.pick = waves.pick(comb, sample);
+  return out;
+}
+
+Vec3 SampleFilm::comb_colour(Drawn const& drawn, std::uint32_t slot, WaveTables& waves) const {
+  auto const& [comb, sample, weights, channels, pick] = drawn;
   Part const& p = part(comb);
   if (doubles(settings(comb))) {
     auto const first = waves.spreads(waves.first_draw(comb), sample);
@@ -171,11 +192,8 @@ Vec3 SampleFilm::comb_colour(std::size_t sample, int comb, std::uint32_t slot,
     }
     return colour;
   }
-  int const wave = waves.first_draw(comb);
-  auto const weights = waves.rgb_weights(wave, sample);
   if (slot < p.control) return weights[slot - p.light];
   if (slot >= p.picked && slot < p.picked_control) return weights[slot - p.picked];
-  auto const channels = waves.channels(wave, sample);
   if (slot < p.picked) {
     auto const c = slot - p.control;
     Vec3 colour = stage_.rgb_weights[c];
@@ -184,7 +202,6 @@ Vec3 SampleFilm::comb_colour(std::size_t sample, int comb, std::uint32_t slot,
     return colour;
   }
   auto const c = slot - p.picked_control;
-  auto const pick = waves.pick(comb, sample);
   auto const tooth = static_cast<std::size_t>(pick.tooth);
   return stage_.rgb_weights[c] - (channels[tooth] == c ? pick.weight * weights[tooth] : Vec3(0));
 }

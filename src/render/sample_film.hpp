@@ -67,8 +67,8 @@ public:
   /// Light that is put here is lost.
   std::uint32_t unused_slot(std::size_t sample) const { return first(sample) + slots_; }
 
-  /// What one unit of light in a slot adds to the sample, linear sRGB.
-  Vec3 colour(std::uint32_t slot, WaveTables& waves) const;
+  /// The sum of what light in some slots of a sample adds to it, linear sRGB, each without sign.
+  Vec3 size_of(std::uint32_t const* slots, double const* light, int count, WaveTables& waves) const;
   /// Linear sRGB of a sample; with `bands` (one value a channel) its spectrum too.
   Vec3 resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const;
 
@@ -93,7 +93,17 @@ private:
                      std::span<double> bands) const;
   void resolve_doubled(std::size_t sample, WaveTables& waves, int comb) const;
   Vec3 doubled_colour(std::size_t sample, WaveTables& waves, int comb, int channel) const;
-  Vec3 comb_colour(std::size_t sample, int comb, std::uint32_t slot, WaveTables& waves) const;
+  /// The wavelengths of a comb and a sample.
+  struct Drawn {
+    int comb = -1;
+    std::size_t sample = 0;
+    std::span<Vec3 const> weights;
+    std::span<std::uint16_t const> channels;
+    WaveTables::Pick pick;
+  };
+  Drawn drawn(std::size_t sample, int comb, WaveTables& waves) const;
+  /// What one unit of light in a slot adds, counted from the sample's first.
+  Vec3 comb_colour(Drawn const& drawn, std::uint32_t slot, WaveTables& waves) const;
 
   Stage const& stage_;
   std::uint32_t slots_ = 0;       ///< of a sample, that count

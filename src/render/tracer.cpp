@@ -137,12 +137,12 @@ bool Tracer::cut_light_of(Beam const& beam, int lanes) {
     return any_but_zero(beam.throughput, lanes);
   }
   Vec3 sum(0);
-  bool const plain = stage_.combs.empty(); // slots are channels, of one sample or the next
-  for (int k = 0; k < lanes; ++k) {
-    if (beam.throughput[k] == 0) continue;
-    sum += beam.throughput[k]
-           * glm::abs(plain ? stage_.rgb_weights[beam.channel[k]]
-                            : film_.colour(beam.slot[k], waves_));
+  if (stage_.combs.empty()) { // slots are channels
+    for (int k = 0; k < lanes; ++k)
+      if (beam.throughput[k] != 0)
+        sum += beam.throughput[k] * glm::abs(stage_.rgb_weights[beam.channel[k]]);
+  } else {
+    sum = film_.size_of(beam.slot, beam.throughput, lanes, waves_);
   }
   if (sum == Vec3(0)) return false;
   cut_here_[sample_of(beam)] += sum;
