@@ -4,6 +4,7 @@
 #include "render/camera.hpp"
 #include "render/checkpoint.hpp"
 #include "render/each.hpp"
+#include "render/marks.hpp"
 #include "render/pixel_sampler.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -63,12 +64,11 @@ public:
         if (behind < down_) next = sampled_strip(behind);
         if (wrong_) break;
         mark(strip, above, next.image.rgb);
-        auto const row = 3 * static_cast<std::size_t>(width());
-        above.assign(strip.image.rgb.end() - static_cast<std::ptrdiff_t>(row),
+        above.assign(strip.image.rgb.end() - static_cast<std::ptrdiff_t>(row_floats()),
                      strip.image.rgb.end());
         refine(strip);
       }
-      if (stopped() || wrong_ || !hand_on(strip) || behind == down_) break;
+      if (stopped() || wrong_ || !finish(strip) || behind == down_) break;
       if (method != 1) {
         strip = {}; // before the next takes its memory
         next = sampled_strip(behind);
@@ -119,11 +119,30 @@ private:
     return strip;
   }
 
-  /// Finished rows leave. @return whether to go on
-  bool hand_on(Strip& strip) {
+  /// A row of tiles that is finished leaves, while others are in work.
+  void hand_on(Strip const& strip, int tile_row) {
+    if (refused_ || stopped() || first_wrong_.load(std::memory_order_relaxed) != none) return;
+    int const y0 = region_.y0 + tile_row * size_.down;
+    int const y1 = std::min(y0 + size_.down, region_.y1);
+    image::Image rows = image::make_image(width(), y1 - y0);
+    auto const take = [&](std::vector<float> const& from, std::vector<float>& to) {
+      auto const per_row = static_cast<std::ptrdiff_t>(from.size()) / (strip.y1 - strip.y0);
+      auto const begin = from.begin() + per_row * (y0 - strip.y0);
+      to.assign(begin, begin + per_row * (y1 - y0));
+    };
+    take(strip.image.rgb, rows.rgb);
+    take(strip.image.bands, rows.bands);
+    rows.band_centres_nm = strip.image.band_centres_nm;
+    rows.band_edges_nm = strip.image.band_edges_nm;
+    if (space_) make_linear(rows, stage_, *space_);
+    refused_ = !options_.on_rows(rows);
+  }
+
+  /// The strip is finished. @return whether to go on
+  bool finish(Strip& strip) {
+    if (options_.on_rows) return !refused_;
     image::Image& rows = strip.image;
     if (space_) make_linear(rows, stage_, *space_);
-    if (options_.on_rows) return options_.on_rows(rows);
     image::Image& whole = result_.image;
     if (whole.width == 0) {
       whole = std::move(rows);
@@ -184,34 +203,16 @@ private:
     return Tracer(stage_, pixel_footprint(stage_.camera, options_.width, options_.height));
   }
 
-  /// Method 1: a pixel that differs from its left or upper neighbour is sampled again, and so is
-  /// the neighbour. Marks are made from the first samples alone, so the order does not matter.
-  /// @param above, below the row before the strip and (first) the one behind it; may be empty
-  void mark(Strip& strip, std::vector<float> const& above, std::vector<float> const& below) {
-    strip.marks.assign(strip.image.pixels(), grid_alone() ? 1 : 0);
-    if (grid_alone()) return;
-    Tracer tracer = make_tracer();
-    PixelSampler const judge(stage_, options_, tracer);
-    auto const at = [](std::vector<float> const& values, std::size_t pixel) {
-      return Vec3(values[3 * pixel], values[3 * pixel + 1], values[3 * pixel + 2]);
-    };
-    auto const& values = strip.image.rgb;
-    auto const across = static_cast<std::size_t>(width());
-    for (std::size_t i = 0; i < strip.marks.size(); ++i) {
-      Vec3 const here = at(values, i);
-      if (i % across > 0 && judge.differ(here, at(values, i - 1)))
-        strip.marks[i] = strip.marks[i - 1] = 1;
-      if (i >= across) {
-        if (judge.differ(here, at(values, i - across)))
-          strip.marks[i] = strip.marks[i - across] = 1;
-      } else if (!above.empty() && judge.differ(here, at(above, i))) {
-        strip.marks[i] = 1;
-      }
-      if (i + across >= strip.marks.size() && !below.empty()
-          && judge.differ(at(below, i % across), here))
-        strip.marks[i] = 1;
-    }
+  /// Method 1. @param above, below the row before the strip and (first) the one behind it
+  void mark(Strip& strip, std::span<float const> above, std::span<float const> below) const {
+    if (grid_alone())
+      strip.marks.assign(strip.image.pixels(), 1);
+    else
+      strip.marks = mark_differences(strip.image.rgb, static_cast<std::size_t>(width()), above,
+                                     below.first(std::min(below.size(), row_floats())),
+                                     options_.anti_aliasing.threshold);
   }
+  std::size_t row_floats() const { return 3 * static_cast<std::size_t>(width()); }
 
   void refine(Strip& strip) {
     bool const middle_counts = options_.anti_aliasing.middle_counts;
@@ -235,9 +236,8 @@ private:
   /// how many
   template <class Work>
   void for_each_tile(Strip& strip, std::uint32_t phase, Work const& work) {
-    int const cores = cores_of(options_);
-    for_each(strip.tile0 * across_, strip.tile1 * across_, cores, [&](int tile) {
-      if (stopped()) return;
+    auto const make = [&](int tile) {
+      if (stopped() || refused_.load(std::memory_order_relaxed)) return;
       Box box{region_.x0 + tile % across_ * size_.across, region_.y0 + tile / across_ * size_.down,
               0, 0};
       box.x1 = std::min(box.x0 + size_.across, region_.x1);
@@ -267,6 +267,12 @@ private:
         if (options_.checkpoint) keep(strip, box, phase, tile, tracer, before, cut_before);
       }
       report(phase);
+    };
+    int const first = strip.tile0 * across_, last = strip.tile1 * across_;
+    int const cores = cores_of(options_);
+    if (phase + 1 < phases() || !options_.on_rows) return for_each(first, last, cores, make);
+    for_each_in_order(first, last, cores, make, [&](int tile) {
+      if ((tile + 1) % across_ == 0) hand_on(strip, tile / across_);
     });
   }
 
@@ -362,7 +368,9 @@ private:
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> finished_[2]{};
   std::mutex progress_, taking_, wrong_mutex_;
-  std::atomic<std::size_t> first_wrong_{std::numeric_limits<std::size_t>::max()};
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::atomic<std::size_t> first_wrong_{none};
+  std::atomic<bool> refused_{false}; ///< rows: nobody wants more
   std::optional<WrongPixel> wrong_;
 };
 

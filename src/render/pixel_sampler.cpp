@@ -2,6 +2,7 @@
 #include "render/pixel_sampler.hpp"
 
 #include "render/camera.hpp"
+#include "render/marks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -158,9 +159,7 @@ Sampled PixelSampler::subdivided(int x, int y) {
 
 bool PixelSampler::differ(Vec3 const& a, Vec3 const& b) const {
   double difference = 0;
-  for (int c = 0; c < 3; ++c)
-    difference += std::abs(std::pow(std::clamp(a[c], 0.0, 1.0), 1 / 2.5)
-                           - std::pow(std::clamp(b[c], 0.0, 1.0), 1 / 2.5));
+  for (int c = 0; c < 3; ++c) difference += std::abs(as_seen(a[c]) - as_seen(b[c]));
   return difference >= options_.anti_aliasing.threshold;
 }
 
