@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.hpp"
 #include "plan/palette.hpp"
+#include "render/passes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,9 @@ constexpr int fewest_patches = 16;
 constexpr int least_side = 4;
 constexpr int reference_rays_a_split = 4;
 /// Patches that tell how long all of the picture takes.
-constexpr int calibration_patches = 400;
+constexpr int most_calibrating = 400;
+/// Of the grids that reckon() looks at.
+constexpr int shallow = 2, less_shallow = 3;
 
 int samples_of(int depth) {
   return depth * depth + 1;
@@ -206,7 +209,19 @@ double Prober::seconds_of(Probe const& made, Patches const& patches) const {
 }
 
 Seen Prober::look(Place const& place, Patches const& patches) {
-  auto const made = probe(overrides_of(place), aa_of(place), options_.seed, patches);
+  auto options = options_;
+  options.anti_aliasing = aa_of(place);
+  Probe made;
+  for (int pass = 0; pass < place.passes; ++pass) {
+    auto const of_pass = render::options_of_pass(options, pass);
+    auto const more = probe(overrides_of(place), of_pass.anti_aliasing, of_pass.seed, patches);
+    if (pass == 0) made.colours.resize(more.colours.size(), Vec3(0));
+    if (more.colours.empty()) made.colours.clear(); // stopped
+    for (std::size_t i = 0; i < made.colours.size(); ++i)
+      made.colours[i] += more.colours[i] / static_cast<double>(place.passes);
+    made.rays += more.rays;
+    made.cpu_s += more.cpu_s;
+  }
   double const scale_up = scale(patches);
   Seen seen{std::numeric_limits<double>::infinity(), static_cast<double>(made.rays) * scale_up,
             seconds_of(made, patches)};
@@ -230,42 +245,83 @@ Seen const& Prober::see_all(Place const& place) {
                                   : seen_all_.emplace(place, look(place, patches_)).first->second;
 }
 
-double Prober::whole_s(Place const& place, double seconds) {
-  auto off = place;
-  off.aa = {0, 0};
-  if (!many_.contains(off))
-    many_[off] = look(off, spread_patches(options_.width, options_.height, calibration_patches,
-                                          patch_side, true));
-  Seen const many = many_[off];
-  if (place.aa == off.aa) return many.seconds;
-  double const a_pixel_s = see(place).seconds / pixels();
-  auto const count =
-      static_cast<int>(seconds / std::max(1e-12, load_ * a_pixel_s) / (patch_side * patch_side));
-  auto const few =
-      spread_patches(options_.width, options_.height,
-                     std::clamp(count, fewest_patches, calibration_patches), patch_side, true);
-  Seen const fine = look(place, few), coarse = look(off, few);
-  // Rays tell where the work is, and exactly; what a ray takes is told by the many of them.
-  return prepare_s_ + (fine.seconds - prepare_s_) * many.rays / std::max(1.0, coarse.rays);
+/// With one sample a pixel.
+Place Prober::once(Place place) const {
+  place.aa = {};
+  place.passes = 1;
+  return place;
 }
 
-Seen Prober::reckon(Place const& place, int depth) {
-  auto at = place;
-  at.aa = {0, 0};
-  auto const off = see(at);
-  at.aa = {2, place.aa.threshold};
-  auto const coarse = see(at);
-  at.aa.depth = deepest_probe;
-  auto const fine = see(at);
-  double const ratio = static_cast<double>(depth * depth) / (deepest_probe * deepest_probe);
+void Prober::calibrate(Place const& place, double seconds) {
+  Place const off = once(place);
+  double const expected_s = std::max(1e-9, load_ * see(off).seconds);
+  double const patches = seconds / expected_s * pixels() / (patch_side * patch_side);
+  int const count = static_cast<int>(std::min<double>(most_calibrating, patches));
+  if (count < fewest_patches) return;
+  many_[off] = look(off, spread_patches(options_.width, options_.height, count, patch_side, true));
+}
+
+Seen const& Prober::middle(Place const& place) {
+  auto const many = many_.find(once(place));
+  return many != many_.end() ? many->second : see(once(place));
+}
+
+bool Prober::repeats(Place const& place) const {
+  auto const plan = plan::make_plan(scene_, overrides_of(place));
+  return plan && render::passes_differ(*plan, aa_of(place));
+}
+
+/// Of anti-aliasing that is not given.
+Seen Prober::one_pass(Place place) {
+  int const depth = place.aa.depth;
+  Place const off = once(place);
+  Seen const& middle = see(off);
+  place.passes = 1;
+  place.aa.depth = depth <= shallow ? shallow : less_shallow;
+  Seen const& grid = see(place);
+  int const probed = place.aa.depth * place.aa.depth;
+  // Samples of a grid, by those that were made.
+  double const samples = static_cast<double>(depth * depth) / probed;
+  auto const many = many_.find(off);
+  if (many == many_.end())
+    return {0, middle.rays + std::max(0.0, grid.rays - middle.rays) * samples,
+            middle.seconds + std::max(0.0, grid.seconds - middle.seconds) * samples};
+  // Many patches tell what a sample takes, few how many are made: all, and the middle again, at
+  // most.
+  double const more = std::clamp(grid.rays / std::max(1.0, middle.rays) - 1, 0.0, probed + 1.0);
+  Seen const& whole = many->second;
+  return {0, whole.rays * (1 + more * samples), whole.seconds * (1 + more * samples)};
+}
+
+Seen Prober::reckon(Place const& place) {
+  auto few = place, more = place;
+  few.passes = more.passes = 1;
+  double few_samples = 1, more_samples = 2, samples = place.passes;
+  double rays = 0, seconds = 0;
+  if (keep_aa_) {
+    more.passes = 2;
+    rays = middle(place).rays * place.passes;
+    seconds = middle(place).seconds * place.passes;
+  } else {
+    few.aa.depth = shallow;
+    more.aa.depth = less_shallow;
+    few_samples = samples_of(shallow);
+    more_samples = samples_of(less_shallow);
+    // The ray through the middle counts in the first pass, and tells which pixels are sampled
+    // again.
+    samples = place.passes * place.aa.depth * place.aa.depth + 1;
+    Seen const one = one_pass(place);
+    // Where every pixel is sampled again, later passes do without the middle.
+    double const left_out = place.aa.threshold > 0 ? 0 : 1;
+    rays = one.rays + (place.passes - 1) * (one.rays - left_out * middle(place).rays);
+    seconds = one.seconds + (place.passes - 1) * (one.seconds - left_out * middle(place).seconds);
+  }
   // Of the error's square, what falls with the number of samples, and what does not.
-  double const a = 1.0 / samples_of(2), b = 1.0 / samples_of(deepest_probe);
+  double const few_e = see(few).delta_e, more_e = see(more).delta_e;
   double const falls =
-      std::max(0.0, (coarse.delta_e * coarse.delta_e - fine.delta_e * fine.delta_e) / (a - b));
-  double const stays = std::max(0.0, fine.delta_e * fine.delta_e - falls * b);
-  return Seen{std::sqrt(stays + falls / samples_of(depth)),
-              off.rays + (fine.rays - off.rays) * ratio,
-              off.seconds + (fine.seconds - off.seconds) * ratio};
+      std::max(0.0, (few_e * few_e - more_e * more_e) / (1 / few_samples - 1 / more_samples));
+  double const stays = std::max(0.0, more_e * more_e - falls / more_samples);
+  return {std::sqrt(stays + falls / samples), rays, seconds};
 }
 
 } // namespace abbe::study

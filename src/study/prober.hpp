@@ -24,7 +24,8 @@ struct Place {
   std::size_t step = 0; ///< of the way's parameter
   int bands = 0;        ///< 0: r g b, or as they are given
   AaStep aa;
-  auto key() const { return std::tuple(way, step, bands, aa.depth, aa.threshold); }
+  int passes = 1;
+  auto key() const { return std::tuple(way, step, bands, aa.depth, aa.threshold, passes); }
   bool operator<(Place const& other) const { return key() < other.key(); }
 };
 
@@ -69,15 +70,16 @@ public:
   Seen const& see(Place const& place);
   /// On all patches.
   Seen const& see_all(Place const& place);
-  /// What deeper anti-aliasing of the same threshold would come to, from shallow probes: time grows
-  /// with the samples of the pixels that are sampled again, the error's square falls with them to
-  /// what the bands leave.
-  Seen reckon(Place const& place, int depth);
-  /// Deepest anti-aliasing that reckon() looks at.
-  static constexpr int deepest_probe = 3;
-  /// What a setting takes for the whole picture: the rays of many patches without anti-aliasing,
-  /// times what more rays and time it takes on a few of them. Looking takes about `seconds`.
-  double whole_s(Place const& place, double seconds);
+  /// What deeper anti-aliasing of the same threshold and more passes would come to, from shallow
+  /// probes: time grows with the samples of the pixels that are sampled again, the error's square
+  /// falls with those of all passes to what the bands leave. Where anti-aliasing is given, from one
+  /// pass and two.
+  Seen reckon(Place const& place);
+  /// Looks at a setting on many patches, with one sample a pixel (unless anti-aliasing is given):
+  /// what reckon() says of time goes by them from now on. Takes about `seconds`.
+  void calibrate(Place const& place, double seconds);
+  /// Would a second pass be another picture?
+  bool repeats(Place const& place) const;
   std::size_t count() const { return seen_.size() + seen_all_.size(); }
   render::AntiAliasing aa_of(Place const& place) const;
   plan::Overrides overrides_of(Place const& place) const;
@@ -90,6 +92,10 @@ private:
   Probe probe(plan::Overrides const& overrides, render::AntiAliasing const& aa, std::uint64_t seed,
               Patches const& patches);
   Seen look(Place const& place, Patches const& patches);
+  Seen one_pass(Place place);
+  Place once(Place place) const;
+  /// Of one sample a pixel, on as many patches as there are looks at.
+  Seen const& middle(Place const& place);
   double seconds_of(Probe const& made, Patches const& patches) const;
 
   scene::Scene const& scene_;
@@ -104,7 +110,7 @@ private:
   std::vector<Vec3> reference_;
   double noise_ = 0, reference_rays_ = 0;
   std::map<Place, Seen> seen_, seen_all_;
-  std::map<Place, Seen> many_; ///< of settings without anti-aliasing, on many patches
+  std::map<Place, Seen> many_; ///< of calibrate()
 };
 
 } // namespace abbe::study

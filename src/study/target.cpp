@@ -24,6 +24,7 @@ Choice choice_of(Prober const& prober, Answer const& answer) {
   }
   if (prober.composite()) choice.representation = "composite";
   choice.aa = prober.aa_of(place);
+  choice.passes = place.passes;
   choice.expected_delta_e = answer.seen.delta_e;
   choice.expected_s = answer.seen.seconds;
   choice.reached = answer.reached;
@@ -35,6 +36,7 @@ Choice choice_of(Prober const& prober, Answer const& answer) {
   choice.text += choice.aa.method == 0 ? std::string("no anti-aliasing")
                                        : fmt::format("aa {} (threshold {:.3g})", choice.aa.depth,
                                                      choice.aa.threshold);
+  if (choice.passes > 1) choice.text += fmt::format(", about {} passes", choice.passes);
   return choice;
 }
 

@@ -20,6 +20,7 @@ struct Choice {
   std::string dispersion;     ///< the words of a mode; "": as it was
   std::string representation; ///< "", or "composite" where lights have lines
   render::AntiAliasing aa;
+  int passes = 1; ///< about so many fit in the time
   double expected_delta_e = 0;
   double expected_s = 0; ///< of the clock
   bool reached = false;  ///< else: the nearest that there is
@@ -37,8 +38,8 @@ struct Choice {
 /// the next steps (twice the bands, the parameter, anti-aliasing) the one that lowers the error
 /// more for its rays, until the target is met; the last step is then halved until the error is
 /// close to it. Of the modes the one with the fewest rays is taken: the same on any machine. For a
-/// time, each mode's settings are compared by the error that they are expected to have after that
-/// time.
+/// time, each mode's settings are compared by the error that they are expected to have after as
+/// many passes (render/passes.hpp) as fit in it; one pass takes a quarter of it, where that can be.
 /// @param overrides of the command line: bands and dispersion given there are kept
 /// @param options size, threads, seed; anti_aliasing is kept with Target::keep_aa
 /// @error as plan::make_plan

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace abbe::study {
 namespace {
@@ -11,19 +12,16 @@ namespace {
 /// Of the time: what the picture may be expected to take while choosing goes on, and until when it
 /// goes on.
 constexpr double picture_share = 0.75, choosing_share = 0.18;
-/// A deeper grid than the renderer's deepest is not chosen.
-constexpr int deepest = 64;
-constexpr std::array thresholds{0.0, 0.03};
-constexpr std::array coarse_steps{AaStep{2, 0.3}, AaStep{3, 0.3}, AaStep{3, 0.1}, AaStep{3, 0.03}};
-constexpr double no_threshold = 3;
-constexpr int most_halvings = 4, most_trials = 4;
+/// Of the picture's time: one pass. Its end misses the time by half of a pass at most.
+constexpr double pass_share = 0.25;
+/// Of the time: a last look at how long the picture takes.
+constexpr double calibrating_share = 0.04;
+/// Of a pass: what is not known well costs no more than this.
+constexpr int deepest = 8;
+constexpr double most_passes = 1e6;
+constexpr std::array thresholds{0.0, 0.03, 0.3};
 /// Of the time: what counts as within it.
 constexpr double most_late = 1.25;
-/// Of what is left, that the picture aims at; that one look at what a grid takes may take; that is
-/// near enough.
-constexpr double aimed_share = 0.95, settling_share = 0.03, filled_share = 0.85;
-/// Below this depth the next grid takes so much longer that the time between is worth using.
-constexpr int filled_below = 9;
 
 class TimeSearch {
 public:
@@ -39,12 +37,8 @@ public:
       climb(q_.first_place(*ways[i]),
             now + std::max(0.0, left) / static_cast<double>(ways.size() - i));
     }
-    if (!q_.target.keep_aa) {
-      best_ = fitted(best_.place, left_s());
-      settle();
-    } else {
-      best_.seen.seconds = q_.prober.whole_s(best_.place, 0);
-    }
+    q_.prober.calibrate(best_.place, calibrating_share * seconds);
+    best_ = fitted(best_.place, (seconds - q_.elapsed_s()) / q_.prober.load());
     best_.seen.seconds *= q_.prober.load();
     best_.reached = q_.elapsed_s() + best_.seen.seconds <= most_late * seconds;
     return best_;
@@ -53,33 +47,42 @@ public:
 private:
   Seen const& see(Place const& place) const { return q_.prober.see(place); }
 
-  /// The finest anti-aliasing that fits; the threshold of the place is kept where it is deep.
+  /// How often one pass fits; the first, and those after it.
+  static int passes_in(double seconds, double first_s, double more_s) {
+    double const more = std::floor((seconds - first_s) / std::max(1e-9, more_s));
+    return 1 + static_cast<int>(std::clamp(more, 0.0, most_passes));
+  }
+
+  /// A grid of which some passes fit, and how many; the threshold is that of the place.
   Answer fitted(Place place, double seconds) const {
-    double const threshold = place.aa.threshold;
-    if (q_.target.keep_aa) return {place, see(place), true};
-    place.aa = {0, 0};
-    Answer best{place, see(place), true};
-    if (best.seen.seconds > seconds) return best;
-    place.aa = {q_.prober.deepest_probe, threshold};
-    double const off_s = best.seen.seconds;
-    double const a_sample_s =
-        std::max(1e-9, see(place).seconds - off_s) / (place.aa.depth * place.aa.depth);
-    int const depth =
-        static_cast<int>(std::min<double>(deepest, std::sqrt((seconds - off_s) / a_sample_s)));
-    if (depth >= 2) {
-      Seen const seen = q_.prober.reckon(place, depth);
+    place.passes = 1;
+    if (q_.target.keep_aa) {
+      if (!q_.prober.repeats(place)) return {place, see(place), true};
+      double const one_s = q_.prober.reckon(place).seconds;
+      place.passes = passes_in(seconds, one_s, one_s);
+      return {place, q_.prober.reckon(place), true};
+    }
+    auto off = place;
+    off.aa = {};
+    Answer const plain{off, see(off), true};
+    if (plain.seen.seconds > seconds) return plain;
+    place.aa.depth = 1;
+    auto const of_passes = [&](int passes) {
+      place.passes = passes;
+      return q_.prober.reckon(place);
+    };
+    for (int depth = 2; depth <= deepest; depth += 1) {
       place.aa.depth = depth;
-      if (seen.delta_e < best.seen.delta_e) best = {place, seen, true};
-      if (depth > q_.prober.deepest_probe) return best;
+      double const first_s = of_passes(1).seconds;
+      if (of_passes(2).seconds - first_s <= pass_share * seconds) continue;
+      place.aa.depth = depth - 1;
+      break;
     }
-    for (auto const& step : coarse_steps) {
-      place.aa = step;
-      Seen const& seen = see(place);
-      if (seen.seconds > seconds) break;
-      if (seen.delta_e < best.seen.delta_e) best = {place, seen, true};
-    }
-    // The threshold of deep grids stays known.
-    return best;
+    double const first_s = of_passes(1).seconds;
+    if (first_s > seconds) return plain;
+    // More samples are better, also where a few patches happen not to say so.
+    Seen const seen = of_passes(passes_in(seconds, first_s, of_passes(2).seconds - first_s));
+    return {place, seen, true};
   }
 
   /// From the cheapest setting on, the next step that makes the best picture in the time.
@@ -92,10 +95,12 @@ private:
       std::optional<Place> next;
       Answer best = here;
       double best_threshold = at.aa.threshold;
-      auto other = at;
-      other.aa.threshold =
-          at.aa.threshold == thresholds.front() ? thresholds.back() : thresholds.front();
-      for (auto const& place : {q_.next_step(at), std::optional(other), q_.more_bands(at)}) {
+      std::vector<std::optional<Place>> nearby{q_.next_step(at), q_.more_bands(at)};
+      for (double const threshold : thresholds) {
+        if (threshold == at.aa.threshold || q_.target.keep_aa) continue;
+        nearby.emplace_back(at)->aa.threshold = threshold;
+      }
+      for (auto const& place : nearby) {
         if (!place || q_.stopped() || q_.elapsed_s() > until) continue;
         Answer const answer = fitted(*place, seconds);
         if (answer.seen.seconds <= seconds && answer.seen.delta_e < best.seen.delta_e) {
@@ -124,59 +129,6 @@ private:
     best_ = answer;
     best_.place.aa.threshold = threshold;
     found_ = true;
-  }
-
-  /// For the picture, as Seen::seconds counts.
-  double left_s() const {
-    return aimed_share * (q_.target.seconds - q_.elapsed_s()) / q_.prober.load();
-  }
-  double whole_s(Place const& place) const {
-    return q_.prober.whole_s(place, settling_share * std::max(0.0, left_s()));
-  }
-
-  /// How deep a grid really fits: the patches may cost more or less than all of the picture does,
-  /// and samples that are made together less than a few.
-  void settle() {
-    Place place = best_.place;
-    place.aa.depth = std::max(2, place.aa.depth);
-    double fits_s = 0;
-    double const off_s = whole_s({place.way, place.step, place.bands, {}});
-    int fits = 0, too_deep = deepest + 1;
-    for (int i = 0; i < most_trials && !q_.stopped(); ++i) {
-      double const left = left_s(), s = whole_s(place);
-      if (s <= left && place.aa.depth > fits) {
-        fits = place.aa.depth;
-        fits_s = s;
-      } else if (s > left) {
-        too_deep = std::min(too_deep, place.aa.depth);
-      }
-      double const more = std::sqrt(std::max(0.0, left - off_s) / std::max(1e-9, s - off_s));
-      place.aa.depth = std::clamp(static_cast<int>(place.aa.depth * more), fits, too_deep - 1);
-      if (place.aa.depth < 2 || place.aa.depth == fits) break;
-    }
-    best_.place.aa.depth = fits;
-    best_.seen.seconds = fits > 0 ? fits_s : off_s;
-    if (fits < filled_below) fill(off_s);
-  }
-
-  /// Between two grids: the deeper one where pixels differ more.
-  void fill(double off_s) {
-    Place place = best_.place;
-    place.aa.depth = std::max(2, place.aa.depth + 1);
-    if (off_s > left_s()) return;
-    double lo = std::log(std::max(1e-3, place.aa.threshold)), hi = std::log(no_threshold);
-    for (int i = 0; i < most_halvings && !q_.stopped(); ++i) {
-      double const middle = 0.5 * (lo + hi);
-      place.aa.threshold = std::exp(middle);
-      double const left = left_s(), s = whole_s(place);
-      if (s <= left && s > best_.seen.seconds) {
-        best_.place = place;
-        best_.seen = q_.prober.reckon(place, place.aa.depth);
-        best_.seen.seconds = s;
-      }
-      if (s <= left && s > filled_share * left) break;
-      (s <= left ? hi : lo) = middle;
-    }
   }
 
   Question const& q_;

@@ -2,6 +2,7 @@
 """abbe render --error lands near the error asked for, on every example; what the user gives is kept."""
 import json
 import re
+import shlex
 import unittest
 
 from support import ROOT, CliTest, GLASS
@@ -52,9 +53,28 @@ class Error(CliTest):
     def test_a_plain_scene_needs_no_bands(self):
         self.assertIn('expected error', self.render('--error', '1', '-o', 'a.exr').stderr)
 
-    def test_time(self):
+    def again(self, *words) -> str:
+        """Renders by the clock, and then what it says makes the same bytes; what it said."""
+        said = self.render('--time', '2', *words, '-o', 'a.exr', scene='glass.scn', timeout=600).stderr
+        told = re.search(r'for --time 2:(.*)', said).group(1)
+        self.render(*shlex.split(told), *words, '-o', 'b.exr', scene='glass.scn', timeout=600)
+        self.assertEqual((self.folder / 'a.exr').read_bytes(), (self.folder / 'b.exr').read_bytes(), said)
+        return told
+
+    def test_time_can_be_had_again_without_a_clock(self):
         self.write('glass.scn', GLASS)
-        self.assertRegex(self.render('--time', '4', '-o', 'a.exr', scene='glass.scn', timeout=600).stderr, r'bands.*about')
+        self.assertRegex(self.again(), r'--dispersion.*--bands \d')
+
+    def test_time_with_what_is_given(self):
+        self.write('glass.scn', GLASS)
+        told = self.again('--dispersion', 'deterministic', '--bands', 5, '--aa', 'off')
+        self.assertEqual(told, '', 'one pass: another would be the same picture')
+        told = self.again('--dispersion', 'stochastic', '--aa', 2, '-j', 3)
+        self.assertRegex(told, r'^ --bands \d+( --passes \d+)?$')
+
+    def test_time_keeps_no_checkpoint(self):
+        for word in ('--resume', '--checkpoint'):
+            self.assertIn('clock', self.render('--time', '2', word, '-o', 'a.png', status=2).stderr)
 
     def test_wrong_words(self):
         for words in (['--error', '0'], ['--error', 'x'], ['--time', '0'], ['--time', '3 moons'], ['--error', '1', '--time', '3']):
