@@ -52,7 +52,7 @@ class CliTest(unittest.TestCase):
         """What lies in the folder, hidden files too."""
         return sorted(path.name for path in self.folder.iterdir())
 
-    def run_abbe(self, *words, status: int = 0, timeout: float = 60, **more) -> subprocess.CompletedProcess:
+    def run_abbe(self, *words, status: int = 0, timeout: float = 300, **more) -> subprocess.CompletedProcess:
         """Runs `abbe words...`; the exit status must be `status`."""
         command = [ABBE, *map(str, words)]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, timeout=timeout,
