@@ -2,6 +2,7 @@
 #include "cli/scene_arguments.hpp"
 
 #include "grammar/keywords.hpp"
+#include "image/atomic_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +17,9 @@ namespace {
 std::atomic<bool> stop_requested{false};
 
 extern "C" void on_interrupt(int) {
-  if (stop_requested.exchange(true)) _exit(130);
+  if (!stop_requested.exchange(true)) return;
+  image::remove_unfinished();
+  _exit(130);
 }
 
 std::string check_declaration(std::string const& text) {

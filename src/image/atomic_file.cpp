@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <string_view>
@@ -72,7 +74,30 @@ bool hold(int descriptor) {
   return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
+/// Temporary names of what this process has not finished. Who takes a name out owns it.
+constexpr int most_unfinished = 16;
+std::atomic<char*> unfinished[most_unfinished];
+
+/// @return its place; -1: there is no room, so that remove_unfinished() leaves it
+int note_unfinished(fs::path const& temporary) {
+  char* const name = ::strdup(temporary.c_str());
+  for (int i = 0; name != nullptr && i < most_unfinished; ++i) {
+    char* nothing = nullptr;
+    if (unfinished[i].compare_exchange_strong(nothing, name)) return i;
+  }
+  std::free(name);
+  return -1;
+}
+void forget_unfinished(int place) {
+  if (place >= 0) std::free(unfinished[place].exchange(nullptr));
+}
+
 } // namespace
+
+void remove_unfinished() {
+  for (auto& place : unfinished)
+    if (char const* const name = place.exchange(nullptr)) ::unlink(name);
+}
 
 Result<fs::path> writable_target(fs::path const& path) {
   std::error_code failed;
@@ -115,15 +140,24 @@ Result<AtomicFile> AtomicFile::create(fs::path const& path) {
   }
 }
 
+AtomicFile::AtomicFile(fs::path target, fs::path temporary, std::FILE* stream)
+    : target_(std::move(target)),
+      temporary_(std::move(temporary)),
+      stream_(stream),
+      unfinished_(note_unfinished(temporary_)) {}
+
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : target_(std::move(other.target_)),
       temporary_(std::move(other.temporary_)),
-      stream_(std::exchange(other.stream_, nullptr)) {}
+      stream_(std::exchange(other.stream_, nullptr)),
+      unfinished_(std::exchange(other.unfinished_, -1)) {}
 
 AtomicFile::~AtomicFile() {
-  if (!stream_) return;
-  std::fclose(stream_);
-  ::unlink(temporary_.c_str());
+  if (stream_) {
+    std::fclose(stream_);
+    ::unlink(temporary_.c_str());
+  }
+  forget_unfinished(unfinished_);
 }
 
 Error AtomicFile::error(int os_error) const {

@@ -30,12 +30,16 @@ public:
   Error error(int os_error) const;
 
 private:
-  AtomicFile(std::filesystem::path target, std::filesystem::path temporary, std::FILE* stream)
-      : target_(std::move(target)), temporary_(std::move(temporary)), stream_(stream) {}
+  AtomicFile(std::filesystem::path target, std::filesystem::path temporary, std::FILE* stream);
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   std::FILE* stream_;
+  int unfinished_ = -1; ///< its place among those of remove_unfinished()
 };
+
+/// Removes what this process has not committed, for a signal handler that ends it at once: nothing
+/// is allocated and no lock is taken.
+void remove_unfinished();
 
 /// The file that a write to `path` replaces: links are followed.
 /// @error E0510 no such directory, not writable, or not a regular file
