@@ -149,6 +149,24 @@ Transform Transform::scaling(Vec3 const& by) {
   return result;
 }
 
+Transform Transform::scaled_and_moved(Vec3 const& scale, Vec3 const& offset) {
+  if (scale == Vec3(1) && offset == Vec3(0)) return {};
+  Transform result = scaling(scale);
+  for (int i = 0; i < 3; ++i) {
+    result.offset[i] = 0.0 + offset[i]; // as a sum: no negative zero
+    // What set_inverse_offset() makes of a diagonal.
+    Sum sum, off;
+    sum.add_product(result.inverse_linear[i][i], result.offset[i]);
+    off.add_product(result.inverse_linear_error[i][i], std::fabs(result.offset[i]));
+    sum.add(0.0);
+    off.add(0.0);
+    off.add(sum.error);
+    result.inverse_offset[i] = -sum.value;
+    result.inverse_offset_error[i] = off.error == 0 ? off.value : upward * off.value;
+  }
+  return result;
+}
+
 Transform Transform::rotation(Vec3 const& degrees) {
   Turn const x = turn(degrees.x), y = turn(degrees.y), z = turn(degrees.z);
   Mat3 const about_x = from_rows({1, 0, 0}, {0, x.cosine, -x.sine}, {0, x.sine, x.cosine});
@@ -221,6 +239,10 @@ bool Transform::translates() const {
   Mat3 const none(0), same(1);
   return linear == same && inverse_linear == same && linear_error == none
          && inverse_linear_error == none;
+}
+
+bool Transform::none() const {
+  return translates() && offset == Vec3(0) && offset_error == Vec3(0);
 }
 
 Transform Transform::moved(Vec3 const& by, Vec3 const& by_error) const {

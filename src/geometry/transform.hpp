@@ -28,6 +28,8 @@ struct Transform {
   /// By a place that was computed with at most `roundings` relative rounding errors a component.
   static Transform rounded_translation(Vec3 const& by, int roundings);
   static Transform scaling(Vec3 const& by);
+  /// scaling(scale).then(translation(offset)), bit by bit; of 1 and 0, none.
+  static Transform scaled_and_moved(Vec3 const& scale, Vec3 const& offset);
   /// POV-Ray's rotate: about x, then y, then z, degrees, left-handed.
   static Transform rotation(Vec3 const& degrees);
   static Transform rotation_about(Vec3 const& axis, double degrees);
@@ -41,6 +43,8 @@ struct Transform {
   /// Direction of a normal (transposed inverse), not normalised.
   Vec3 normal(Vec3 const& n) const { return glm::transpose(inverse_linear) * n; }
   bool identity() const;
+  /// identity(), exactly: then() such a one changes nothing.
+  bool none() const;
 
 private:
   /// A translation, exactly.

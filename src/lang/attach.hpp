@@ -17,8 +17,8 @@ bool read_texture_part(Reader&, scene::Texture& layer);
 
 /// What an object or a material has on its surface and inside.
 struct Surface {
-  std::optional<scene::Layers>& texture;
-  std::optional<scene::Layers>& interior_texture;
+  scene::SharedLayers& texture;
+  scene::SharedLayers& interior_texture;
   std::shared_ptr<scene::Interior const>& interior;
 };
 /// Takes `texture`, `pigment`, `finish`, `interior_texture`, `interior` or `material` when one is

@@ -14,7 +14,7 @@ namespace {
 
 template <class T>
 Value shared(T value, Span span) {
-  return Value{std::make_shared<T const>(std::move(value)), span};
+  return Value{std::shared_ptr<T const>(std::make_shared<T>(std::move(value))), span};
 }
 
 SceneState& state_of(Reader& in) {
@@ -47,15 +47,13 @@ Value pigment_value(Reader& in, std::string_view) {
 }
 Value finish_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
-  scene::Finish finish = state_of(in).default_texture.finish;
+  scene::Finish finish = *std::as_const(state_of(in).default_texture.finish);
   read_finish(in, finish);
   return shared(std::move(finish), span);
 }
 Value texture_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
-  scene::Layers layers;
-  read_texture(in, layers);
-  return shared(std::move(layers), span);
+  return Value{read_texture(in).held(), span};
 }
 Value interior_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
@@ -124,7 +122,12 @@ T const& held(Value const& value) {
 }
 
 void place_object_value(Value&& value, Reader& in) {
-  place_object(held<scene::Object>(value), state_of(in));
+  auto const& held = std::get<std::shared_ptr<scene::Object const>>(value.any);
+  // One that nothing else holds is moved into the scene; shared() made it, not const.
+  if (held.use_count() == 1)
+    place_object(std::move(*std::const_pointer_cast<scene::Object>(held)), state_of(in));
+  else
+    place_object(*held, state_of(in));
 }
 void place_light(Value&& value, Reader& in) {
   state_of(in).scene.lights.push_back(held<scene::Light>(value));

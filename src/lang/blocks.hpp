@@ -115,7 +115,8 @@ void transform_pigment(scene::Pigment&, geometry::Transform const&);
 std::vector<scene::Pigment::Entry> read_color_map(Reader&);
 std::vector<scene::Pigment::Entry> read_pigment_map(Reader&);
 void read_finish(Reader&, scene::Finish&);
-void read_texture(Reader&, scene::Layers&);
+/// A bare name shares what it stands for.
+scene::SharedLayers read_texture(Reader&);
 MaterialValue read_material(Reader&);
 // interior.cpp, dispersion.cpp, spectrum.cpp, glass.cpp
 void read_interior(Reader&, scene::Interior&);

@@ -40,7 +40,7 @@ void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
 /// Lights are no operands.
 void add(Object& object, Object&& child) {
   bool const light = child.kind == Object::Kind::Union && child.children.empty();
-  if (light) object.lights.insert(object.lights.end(), child.lights.begin(), child.lights.end());
+  if (light) object.lights.append(child.lights);
   if (!light || child.lights.empty()) object.children.push_back(std::move(child));
 }
 
@@ -83,8 +83,7 @@ namespace {
 
 /// What a part takes from the combination it stands in.
 struct Inherited {
-  std::optional<scene::Layers> const* texture = nullptr;
-  std::optional<scene::Layers> const* interior_texture = nullptr;
+  scene::SharedLayers texture, interior_texture;
   std::shared_ptr<scene::Interior const> interior;
   std::optional<bool> hollow;
   bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
@@ -96,8 +95,8 @@ scene::Texture clear_texture(Span span) {
   texture.span = span;
   texture.pigment.span = span;
   texture.pigment.colour = {Vec3(1), 0, 1, nullptr};
-  texture.finish.ambient.rgb = Vec3(0);
-  texture.finish.diffuse = 0;
+  texture.finish->ambient.rgb = Vec3(0);
+  texture.finish->diffuse = 0;
   return texture;
 }
 
@@ -118,19 +117,18 @@ Inherited inherit(Object& object, Inherited const& from) {
   to.double_illuminate = inherit_flag(object.double_illuminate, from.double_illuminate);
   // An own texture is complete: nothing of the parent's, not even its inner one, is added.
   bool const own = object.texture.has_value();
-  to.texture = own ? &object.texture : from.texture;
+  to.texture = own ? object.texture : from.texture;
   to.interior_texture =
-      own || object.interior_texture ? &object.interior_texture : from.interior_texture;
+      own || object.interior_texture ? object.interior_texture : from.interior_texture;
   return to;
 }
 
 void settle_leaf(Object& object, Inherited const& with, scene::Texture const& default_texture) {
-  if (!object.texture && with.texture) object.texture = *with.texture;
-  if (!object.interior_texture && with.interior_texture)
-    object.interior_texture = *with.interior_texture;
+  if (!object.texture) object.texture = with.texture;
+  if (!object.interior_texture) object.interior_texture = with.interior_texture;
   if (object.texture) return;
   bool const glass = object.interior && object.interior->glass;
-  object.texture.emplace(1, glass ? clear_texture(object.span) : default_texture);
+  object.texture = scene::Layers(1, glass ? clear_texture(object.span) : default_texture);
 }
 
 struct Insertion {
@@ -146,8 +144,9 @@ void flatten_clip(Object& clip) {
   clip.interior.reset();
   clip.bounded_by.clear();
   clip.lights.clear();
+  geometry::Transform const placement = clip.placement;
   for (Object& child : clip.children) {
-    transform_object(child, clip.placement);
+    transform_object(child, placement);
     flatten_clip(child);
   }
   for (Object& inner : clip.clipped_by) flatten_clip(inner);
@@ -165,8 +164,9 @@ void settle(Object& object, Inherited const& from, Insertion const& into) {
     settle_leaf(object, to, into.default_texture);
     return;
   }
+  geometry::Transform const placement = object.placement;
   for (Object& child : object.children) {
-    transform_object(child, object.placement);
+    transform_object(child, placement);
     settle(child, to, into);
   }
   object.placement = {};

@@ -7,14 +7,13 @@ void read_default(Reader& in) {
   SceneState& state = scene_state(in.interpreter());
   while (!in.at_end()) {
     if (in.open("texture")) {
-      scene::Layers layers;
-      read_texture(in, layers);
+      scene::SharedLayers const layers = read_texture(in);
       in.close();
-      if (layers.size() > 1)
+      if (layers->size() > 1)
         in.report(Severity::Error, "E0252", "the default texture must have a single layer",
-                  layers.front().span);
+                  layers->front().span);
       else
-        state.default_texture = std::move(layers.front());
+        state.default_texture = layers->front();
     } else if (read_texture_part(in, state.default_texture)) {
       continue;
     } else if (in.open("camera")) {

@@ -213,7 +213,7 @@ private:
     Deeper const deeper(*this);
     placement(t.placement);
     pigment(t.pigment, "pigment");
-    finish(t.finish);
+    finish(*t.finish);
   }
 
   void pigment(Pigment const& p, std::string const& role) {

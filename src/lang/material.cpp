@@ -5,32 +5,33 @@ namespace abbe::lang {
 
 namespace {
 
-void push_layers(std::optional<scene::Layers>& onto, scene::Layers layers) {
-  if (!onto) onto.emplace();
-  for (scene::Texture& layer : layers) onto->push_back(std::move(layer));
+void push_layers(scene::SharedLayers& onto, scene::SharedLayers const& layers) {
+  if (!onto)
+    onto = layers;
+  else
+    onto->insert(onto->end(), layers->begin(), layers->end());
 }
 
-scene::Layers read_layers(Reader& in) {
-  scene::Layers layers;
-  read_texture(in, layers);
+scene::SharedLayers read_layers(Reader& in) {
+  scene::SharedLayers layers = read_texture(in);
   in.close();
   return layers;
 }
 
 /// `pigment {}` or `finish {}` outside a texture block.
-bool read_loose_part(Reader& in, std::optional<scene::Layers>& texture) {
+bool read_loose_part(Reader& in, scene::SharedLayers& texture) {
   std::string_view const word = in.next_word();
   if (in.next() != Next::Block || (word != "pigment" && word != "finish")) return false;
   if (!texture) {
-    texture.emplace(1, scene_state(in.interpreter()).default_texture);
+    texture = scene::Layers(1, scene_state(in.interpreter()).default_texture);
     texture->front().span = in.next_span();
   }
   return read_texture_part(in, texture->back());
 }
 
 void attach_material(MaterialValue const& material, Surface const& surface) {
-  if (material.texture) push_layers(surface.texture, *material.texture);
-  if (material.interior_texture) push_layers(surface.interior_texture, *material.interior_texture);
+  if (material.texture) push_layers(surface.texture, material.texture);
+  if (material.interior_texture) push_layers(surface.interior_texture, material.interior_texture);
   if (material.interior) surface.interior = material.interior;
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 using scene::Object;
 
-void read_objects(Reader& in, std::vector<Object>& into, std::string_view where) {
+void read_objects(Reader& in, Few<Object>& into, std::string_view where) {
   std::size_t const before = into.size();
   bool rejected = false;
   while (!in.at_end()) {
@@ -27,13 +27,13 @@ bool read_bounds(Reader& in, Object& object) {
   bool const clip = in.open("clipped_by");
   if (!clip && !in.open("bounded_by")) return false;
   std::string_view const other = clip ? "bounded_by" : "clipped_by";
-  std::vector<Object>& into = clip ? object.clipped_by : object.bounded_by;
-  std::vector<Object> const& from = clip ? object.bounded_by : object.clipped_by;
+  Few<Object>& into = clip ? object.clipped_by : object.bounded_by;
+  Few<Object> const& from = clip ? object.bounded_by : object.clipped_by;
   if (in.accept(other)) {
     if (from.empty())
       in.report(Severity::Error, "E0252",
                 "there is no " + std::string(other) + " before this to be named", in.block_span());
-    into.insert(into.end(), from.begin(), from.end());
+    into.append(from);
   } else {
     read_objects(in, into, clip ? "clipped_by" : "bounded_by");
   }
@@ -79,7 +79,9 @@ bool read_object_modifier(Reader& in, Object& object) {
   Span const at = in.next_span();
   if (read_transform(in, transform)) {
     transform_object(object, transform);
-    check_range(in, object.placement, at);
+    geometry::Transform placed = object.placement;
+    check_range(in, placed, at);
+    object.placement = placed;
     return true;
   }
   Surface const surface{object.texture, object.interior_texture, object.interior};
@@ -88,6 +90,7 @@ bool read_object_modifier(Reader& in, Object& object) {
 }
 
 void transform_object(Object& object, geometry::Transform const& transform) {
+  if (transform.none()) return;
   object.placement = object.placement.then(transform);
   if (object.texture) transform_layers(*object.texture, transform);
   if (object.interior_texture) transform_layers(*object.interior_texture, transform);

@@ -69,13 +69,12 @@ int ReaderImpl::face_texture() {
   auto const* held =
       value ? std::get_if<std::shared_ptr<scene::Layers const>>(&value->any) : nullptr;
   void const* const key = held ? held->get() : nullptr;
-  scene::Layers layers;
-  read_texture(*this, layers);
+  scene::SharedLayers const layers = read_texture(*this);
   // Only a block that is the bare name stands for the declared texture itself.
   Frame const& frame = frames_.back();
   bool const bare = key && frame.kind == Frame::Kind::Block && frame.items->size() == 1;
   close();
-  return add_face_texture(bare ? key : nullptr, std::move(layers));
+  return add_face_texture(bare ? key : nullptr, *layers);
 }
 
 bool ReaderImpl::part_modifier(std::vector<AffineMap>& steps, int& texture) {
@@ -89,7 +88,7 @@ bool ReaderImpl::part_modifier(std::vector<AffineMap>& steps, int& texture) {
     if (texture >= 0) transform_layers(own(), t);
     return true;
   }
-  std::optional<scene::Layers> layers, inner;
+  scene::SharedLayers layers, inner;
   std::shared_ptr<scene::Interior const> interior;
   if (texture >= 0) layers = own();
   Span const at = next_span();

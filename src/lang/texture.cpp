@@ -45,7 +45,7 @@ bool read_named(Reader& in, scene::Layers& layers, bool first) {
   } else if (auto pigment = in.accept_value<scene::Pigment>()) {
     set_pigment(layers.back(), *pigment);
   } else if (auto finish = in.accept_value<scene::Finish>()) {
-    layers.back().finish = *finish;
+    layers.back().finish = finish;
   } else {
     return false;
   }
@@ -58,12 +58,13 @@ bool read_texture_part(Reader& in, scene::Texture& layer) {
   if (in.open("pigment")) {
     bool const plain = !layer.pigment.pattern;
     transform_pigment(layer.pigment, layer.placement);
-    read_pigment_of_texture(in, layer.pigment, plain ? layer.placement : geometry::Transform{});
+    read_pigment_of_texture(in, layer.pigment,
+                            plain ? layer.placement.transform() : geometry::Transform{});
     in.close();
     // Where the layer was moved to stands in its pattern now.
     if (!plain || layer.pigment.pattern) layer.placement = {};
   } else if (in.open("finish")) {
-    read_finish(in, layer.finish);
+    read_finish(in, *layer.finish);
     in.close();
   } else {
     return false;
@@ -71,10 +72,14 @@ bool read_texture_part(Reader& in, scene::Texture& layer) {
   return true;
 }
 
-void read_texture(Reader& in, scene::Layers& layers) {
+scene::SharedLayers read_texture(Reader& in) {
   Span const span = in.block_span();
-  layers.assign(1, scene_state(in.interpreter()).default_texture);
-  for (bool first = true; !in.at_end(); first = false) {
+  auto const placed = [](scene::Texture const& layer) { return layer.span.valid(); };
+  auto const named = in.accept_value<scene::Layers>();
+  if (named && in.at_end() && std::ranges::all_of(*named, placed)) return named;
+  scene::Layers layers =
+      named ? *named : scene::Layers(1, scene_state(in.interpreter()).default_texture);
+  for (bool first = !named; !in.at_end(); first = false) {
     geometry::Transform transform;
     if (read_texture_part(in, layers.back()) || read_named(in, layers, first)) continue;
     if (read_transform(in, transform))
@@ -84,6 +89,7 @@ void read_texture(Reader& in, scene::Layers& layers) {
   }
   for (scene::Texture& layer : layers)
     if (!layer.span.valid()) layer.span = span;
+  return layers;
 }
 
 } // namespace abbe::lang

@@ -57,7 +57,7 @@ struct MapValue {
   std::vector<scene::Pigment::Entry> entries;
 };
 struct MaterialValue {
-  std::optional<scene::Layers> texture, interior_texture;
+  scene::SharedLayers texture, interior_texture;
   std::shared_ptr<scene::Interior const> interior;
 };
 

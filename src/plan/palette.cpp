@@ -43,11 +43,11 @@ private:
   void layers(scene::Layers const& layers) {
     for (auto const& texture : layers) {
       pigment(texture.pigment);
-      colour_(texture.finish.ambient);
-      light_(texture.finish.emission);
-      if (!texture.finish.reflection) continue;
-      colour_(texture.finish.reflection->minimum);
-      colour_(texture.finish.reflection->maximum);
+      colour_(texture.finish->ambient);
+      light_(texture.finish->emission);
+      if (!texture.finish->reflection) continue;
+      colour_(texture.finish->reflection->minimum);
+      colour_(texture.finish->reflection->maximum);
     }
   }
   void pigment(scene::Pigment const& pigment) {

@@ -19,11 +19,12 @@ bool corners_of(scene::Object const& object, std::vector<Vec3>& out) {
   if (object.shape) {
     geometry::Bounds const bounds = object.shape->bounds();
     if (bounds.infinite || object.inverse) return false;
+    geometry::Transform const placement = object.placement;
     if (!bounds.empty())
       for (int i = 0; i < 8; ++i)
-        out.push_back(object.placement.point({i & 1 ? bounds.high.x : bounds.low.x,
-                                              i & 2 ? bounds.high.y : bounds.low.y,
-                                              i & 4 ? bounds.high.z : bounds.low.z}));
+        out.push_back(placement.point({i & 1 ? bounds.high.x : bounds.low.x,
+                                       i & 2 ? bounds.high.y : bounds.low.y,
+                                       i & 4 ? bounds.high.z : bounds.low.z}));
   }
   if (object.inverse) return false;
   return std::all_of(object.children.begin(), object.children.end(),

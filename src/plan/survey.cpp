@@ -25,7 +25,7 @@ bool lets_light_pass(scene::Pigment const& pigment) {
 bool may_hold(scene::Object const& object, Vec3 const& camera) {
   if (object.inverse || !object.clipped_by.empty()) return true;
   if (object.shape) {
-    auto const& to_shape = object.placement;
+    geometry::Transform const to_shape = object.placement;
     if (!object.shape->solid()
         || object.shape->inside(to_shape.inverse_linear * camera + to_shape.inverse_offset))
       return true;
@@ -49,7 +49,7 @@ bool reachable(scene::Object const& object, Vec3 const& camera) {
   auto const opens = [](scene::Layers const& layers) {
     return std::any_of(layers.begin(), layers.end(), [](scene::Texture const& texture) {
       return lets_light_pass(texture.pigment)
-             || (texture.finish.reflection && texture.finish.reflection->fresnel);
+             || (texture.finish->reflection && texture.finish->reflection->fresnel);
     });
   };
   if (may_hold(object, camera)) return true;
@@ -107,7 +107,7 @@ private:
   static bool calls_for_more(scene::Object const& object) {
     auto const more = [](scene::Layers const& layers) {
       return std::any_of(layers.begin(), layers.end(), [](scene::Texture const& texture) {
-        return texture.finish.reflection || lets_light_pass(texture.pigment);
+        return texture.finish->reflection || lets_light_pass(texture.pigment);
       });
     };
     return object.interior || (object.texture && more(*object.texture))
@@ -149,7 +149,7 @@ private:
 
   void texture(scene::Texture const& texture) {
     pigment(texture.pigment, true);
-    scene::Finish const& finish = texture.finish;
+    scene::Finish const& finish = *texture.finish;
     colour(finish.ambient, texture.span);
     colour(finish.emission, texture.span);
     if (!finish.reflection || choices_.off(Switch::Reflection)) return;

@@ -240,7 +240,7 @@ private:
         continue;
       }
       // Plain colours are the same everywhere: one layer for all that have the same finish.
-      auto const finish = static_cast<std::uint64_t>(finishes_.of(texture.finish));
+      auto const finish = static_cast<std::uint64_t>(finishes_.of(*texture.finish));
       auto const [known, fresh] =
           plain_layers_.try_emplace(static_cast<std::uint64_t>(pigment) << 32 | finish);
       if (fresh) known->second = add_layer(texture, pigment);
@@ -252,7 +252,7 @@ private:
   int add_layer(scene::Texture const& texture, int pigment) {
     CompiledLayer layer;
     layer.pigment = pigment;
-    layer.finish = compile_finish(texture.finish, scene_.settings, colours_);
+    layer.finish = compile_finish(*texture.finish, scene_.settings, colours_);
     if (plan_.is_off(scene::Switch::Reflection)) layer.finish.reflection.reset();
     if (texture.pigment.pattern) {
       Transform const to_stage = texture.placement.then(to_stage_);

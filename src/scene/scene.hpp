@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/few.hpp"
+#include "base/shared.hpp"
 #include "base/source.hpp"
 #include "base/vec.hpp"
+#include "geometry/placement.hpp"
 #include "geometry/shape_ptr.hpp"
-#include "geometry/transform.hpp"
 #include "scene/dispersion_mode.hpp"
 #include "scene/effects.hpp"
 #include "texture/pattern.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -79,12 +82,14 @@ struct Finish {
 struct Texture {
   Span span;
   Pigment pigment;
-  Finish finish;
+  Shared<Finish> finish;
   /// Texture space -> the space that its object stands in (Object's parent; the world in a Scene).
-  geometry::Transform placement;
+  geometry::Placement placement;
 };
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;
+/// Layers that objects may share, or none.
+using SharedLayers = Shared<Layers>;
 
 struct Interior {
   Span span;
@@ -115,17 +120,16 @@ struct Object {
   geometry::ShapePtr shape;     ///< of Kind::Shape
   std::string_view keyword;     ///< "sphere", of Kind::Shape
   std::vector<Object> children; ///< of the others
-  std::vector<Object> clipped_by;
-  geometry::Transform placement; ///< of the shape or of the children
-  std::vector<Light> lights;     ///< written inside a union; moved to Scene::lights at insertion
-  std::optional<Layers> texture; ///< own; else the parent's, else the default at insertion
-  std::optional<Layers> interior_texture;
-  std::vector<Layers> face_textures;
+  Few<Object> clipped_by;
+  geometry::Placement placement; ///< of the shape or of the children
+  Few<Light> lights;             ///< written inside a union; moved to Scene::lights at insertion
+  SharedLayers texture;          ///< own; else the parent's, else the default at insertion
+  SharedLayers interior_texture;
+  Few<Layers> face_textures;
   std::shared_ptr<Interior const> interior;
   bool inverse = false;
   std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
-  std::vector<Object>
-      bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
+  Few<Object> bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
 };
 
 struct Light {
@@ -208,7 +212,7 @@ struct SkySphere {
 };
 
 struct Scene {
-  std::vector<Object> objects; ///< in text order; every leaf has a texture
+  std::deque<Object> objects; ///< in text order; every leaf has a texture
   std::vector<Light> lights;
   Camera camera;
   Colour background;

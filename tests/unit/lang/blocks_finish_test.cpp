@@ -8,7 +8,7 @@ namespace abbe::lang {
 namespace {
 
 scene::Finish finish(std::string const& items) {
-  return scene_of("sphere { 0, 1 finish { " + items + " } }").objects[0].texture->front().finish;
+  return *scene_of("sphere { 0, 1 finish { " + items + " } }").objects[0].texture->front().finish;
 }
 
 TEST(Finish, DefaultsArePovRays) {

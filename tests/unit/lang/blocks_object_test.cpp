@@ -63,8 +63,8 @@ TEST(Object, APigmentOrFinishChangesWhatTheTextureHas) {
                "sphere { 0, 1 texture { G } pigment { gradient y } }");
   for (int i = 0; i < 2; ++i) {
     scene::Texture const& t = s.objects[static_cast<std::size_t>(i)].texture->front();
-    EXPECT_EQ(t.finish.ambient.rgb, Vec3(0.5));
-    EXPECT_EQ(t.finish.phong, 1);
+    EXPECT_EQ(t.finish->ambient.rgb, Vec3(0.5));
+    EXPECT_EQ(t.finish->phong, 1);
     EXPECT_EQ(t.pigment.colour.rgb, Vec3(0.2));
   }
   auto const value = [&](std::size_t i, Vec3 const& at) {
@@ -127,8 +127,8 @@ TEST(Object, TheDefaultTextureIsTheOneAtInsertion) {
                           "sphere { S finish { diffuse 0 } }");
   EXPECT_EQ(red(s.objects[0]), 0.5);
   EXPECT_EQ(red(s.objects[1]), 0.6);
-  EXPECT_EQ(s.objects[1].texture->front().finish.ambient.rgb, Vec3(0.7));
-  EXPECT_EQ(s.objects[1].texture->front().finish.diffuse, 0);
+  EXPECT_EQ(s.objects[1].texture->front().finish->ambient.rgb, Vec3(0.7));
+  EXPECT_EQ(s.objects[1].texture->front().finish->diffuse, 0);
 }
 
 TEST(Object, GlassWithoutTextureIsClear) {
@@ -136,7 +136,7 @@ TEST(Object, GlassWithoutTextureIsClear) {
                           "union { sphere { 0, 1 } interior { glass { abbe 1.5, 60 } } }\n"
                           "sphere { 0, 1 interior { ior 1.5 } }");
   EXPECT_EQ(s.objects[0].texture->front().pigment.colour.transmit, 1);
-  EXPECT_EQ(s.objects[0].texture->front().finish.diffuse, 0);
+  EXPECT_EQ(s.objects[0].texture->front().finish->diffuse, 0);
   EXPECT_EQ(s.objects[1].children[0].texture->front().pigment.colour.transmit, 1);
   EXPECT_EQ(s.objects[2].texture->front().pigment.colour.transmit, 0);
 }

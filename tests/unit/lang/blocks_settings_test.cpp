@@ -128,7 +128,7 @@ TEST(StandardLibrary, EveryFileIsReadWithoutAMessage) {
                           "sphere { 0, 1 Texture_Metal(\"Cr\") }");
   EXPECT_EQ(s.background.rgb, Vec3(0.196078, 0.6, 0.8));
   EXPECT_EQ(s.lights[0].colour.rgb, Vec3(2));
-  EXPECT_TRUE(s.objects[1].texture->front().finish.reflection->metal);
+  EXPECT_TRUE(s.objects[1].texture->front().finish->reflection->metal);
 }
 
 } // namespace

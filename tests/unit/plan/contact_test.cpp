@@ -21,7 +21,7 @@ scene::Object box(double from, double ior) {
 Finding contact_in(std::vector<scene::Object> objects,
                    double share = scene::Settings::default_contact) {
   scene::Scene scene;
-  scene.objects = std::move(objects);
+  scene.objects.assign(objects.begin(), objects.end());
   scene.settings.contact = share;
   auto const plan = make_plan(scene);
   return plan ? plan->findings[static_cast<std::size_t>(Effect::ContactOfMedia)] : Finding{};

@@ -25,9 +25,9 @@ scene::Scene wall_behind_glass(double emission, scene::DispersionMode mode) {
       object(std::make_shared<geometry::Sphere>(), at({0, 0, 5}), clear()), n_sf11(), mode));
   scene.objects[0].keyword = "sphere";
   auto layers = plain(Vec3(1));
-  layers[0].finish.ambient.rgb = Vec3(0);
-  layers[0].finish.diffuse = 0;
-  layers[0].finish.emission.rgb = Vec3(emission);
+  layers[0].finish->ambient.rgb = Vec3(0);
+  layers[0].finish->diffuse = 0;
+  layers[0].finish->emission.rgb = Vec3(emission);
   auto const wall = geometry::make_box({-90, -90, 20}, {90, 90, 21});
   auto placed = object(wall->shape, wall->placement.then(at({0, 0, 0})), layers);
   placed.keyword = "box";
@@ -55,7 +55,7 @@ TEST(CheckFinite, SoundScenesPass) {
 
 TEST(CheckFinite, SaysWhichPathAndSurfaceMadeIt) {
   auto scene = wall_behind_glass(1, stochastic());
-  scene.objects[1].texture->front().finish.emission.rgb = Vec3(std::numeric_limits<double>::max());
+  scene.objects[1].texture->front().finish->emission.rgb = Vec3(std::numeric_limits<double>::max());
   // It hides from the camera and from what is refracted: a mirrored ray must have found it.
   scene.objects[1].no_image = true;
   auto const mirrored = checked(scene).bad_sample;
@@ -95,7 +95,7 @@ TEST(CheckFinite, SaysWhichPathAndSurfaceMadeIt) {
 
 TEST(CheckFinite, FindsWhatIsNotANumber) {
   auto scene = wall_behind_glass(1, deterministic());
-  scene.objects[1].texture->front().finish.emission.rgb = Vec3(NAN);
+  scene.objects[1].texture->front().finish->emission.rgb = Vec3(NAN);
   auto const bad = checked(scene).bad_sample;
   ASSERT_TRUE(bad);
   EXPECT_EQ(bad->kind, Kind::NotANumber);
@@ -107,12 +107,12 @@ TEST(CheckFinite, NegativeLightIsWrongOnlyWhereTheSceneDoesNotAskForIt) {
   lamp.position = {1, 2, 3};
   lamp.colour.rgb = Vec3(-0.25);
   auto scene = wall_behind_glass(0, none());
-  scene.objects[1].texture->front().finish.diffuse = 1;
+  scene.objects[1].texture->front().finish->diffuse = 1;
   scene.lights.push_back(lamp);
   EXPECT_FALSE(checked(scene).bad_sample);
   // A finish that makes light negative does not.
   scene.lights[0].colour.rgb = Vec3(0.25);
-  scene.objects[1].texture->front().finish.diffuse = -1;
+  scene.objects[1].texture->front().finish->diffuse = -1;
   auto const bad = checked(scene).bad_sample;
   ASSERT_TRUE(bad);
   EXPECT_EQ(bad->kind, Kind::Negative);
@@ -122,7 +122,7 @@ TEST(CheckFinite, NegativeLightIsWrongOnlyWhereTheSceneDoesNotAskForIt) {
 
 TEST(CheckFinite, TheFirstInRowsIsFoundByAnyNumberOfThreads) {
   auto scene = wall_behind_glass(1, stochastic());
-  scene.objects[1].texture->front().finish.emission.rgb = Vec3(1e300);
+  scene.objects[1].texture->front().finish->emission.rgb = Vec3(1e300);
   auto const one = checked(scene, 1).bad_sample;
   ASSERT_TRUE(one);
   for (int const threads : {2, 7}) {

@@ -28,8 +28,8 @@ scene::Scene behind_a_prism(scene::DispersionMode const& mode) {
     prism.children.push_back(object(placed.shape, placed.placement, clear()));
   scene.objects.push_back(with_glass(std::move(prism), n_sf11(), mode));
   auto lit = plain(Vec3(1));
-  lit[0].finish.diffuse = 0;
-  lit[0].finish.ambient.rgb = Vec3(0);
+  lit[0].finish->diffuse = 0;
+  lit[0].finish->ambient.rgb = Vec3(0);
   auto const screen = geometry::make_box({-1e6, -1e6, screen_z}, {0, 1e6, screen_z + 1e-3});
   scene.objects.push_back(object(screen->shape, screen->placement, lit));
   scene.settings.spectral.requested = true;
@@ -65,7 +65,7 @@ TEST(Composite, LinesStandAtTheirAngles) {
     for (double const line_nm : mercury_nm) {
       auto only = behind_a_prism(mode);
       auto lamp = optics::Spectrum::lines({{line_nm, 1}});
-      only.objects[1].texture->front().finish.emission = {
+      only.objects[1].texture->front().finish->emission = {
           Vec3(1), 0, 0, std::make_shared<optics::Spectrum const>(*lamp)};
       auto const own_plan = plan::make_plan(only);
       ASSERT_TRUE(own_plan);
@@ -105,9 +105,9 @@ TEST(Composite, DirectLightKeepsItsColour) {
   Vec3 const exact = optics::light_rgb(*lamp);
   scene::Scene scene;
   auto lit = plain(Vec3(1));
-  lit[0].finish.diffuse = 0;
-  lit[0].finish.ambient.rgb = Vec3(0);
-  lit[0].finish.emission = {Vec3(1), 0, 0, std::make_shared<optics::Spectrum const>(*lamp)};
+  lit[0].finish->diffuse = 0;
+  lit[0].finish->ambient.rgb = Vec3(0);
+  lit[0].finish->emission = {Vec3(1), 0, 0, std::make_shared<optics::Spectrum const>(*lamp)};
   auto const wall = geometry::make_plane({0, 0, -1}, -4);
   scene.objects.push_back(object(wall->shape, wall->placement, lit));
   scene.settings.spectral.requested = true;

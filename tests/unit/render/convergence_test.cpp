@@ -51,7 +51,7 @@ scene::Scene fringes(bool lamp, bool disperses = true) {
   auto const light = lamp ? tube() : nullptr;
   for (auto& object : scene.objects) {
     if (!lamp || !object.texture || object.interior) continue;
-    auto& finish = object.texture->front().finish;
+    auto& finish = *object.texture->front().finish;
     finish.ambient.rgb = Vec3(0);
     finish.emission = {Vec3(1), 0, 0, light};
   }

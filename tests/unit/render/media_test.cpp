@@ -37,7 +37,7 @@ geometry::PlacedShape ball(double radius) {
 /// What comes along the axis from a white surround.
 double seen(std::vector<scene::Object> objects, Vec3 const& eye = Vec3(0)) {
   scene::Scene scene;
-  scene.objects = std::move(objects);
+  scene.objects.assign(objects.begin(), objects.end());
   scene.background.rgb = Vec3(1);
   scene.camera.location = eye;
   scene.settings.assumed_gamma = 1;
@@ -116,10 +116,10 @@ double lit(std::vector<scene::Object> objects, Vec3 const& lamp) {
   light.colour.rgb = Vec3(1);
   scene.lights = {light};
   auto const wall = *geometry::make_plane({0, 0, -1}, -8);
-  scene.objects = std::move(objects);
+  scene.objects.assign(objects.begin(), objects.end());
   scene.objects.push_back(object(wall.shape, wall.placement, plain(Vec3(1))));
-  scene.objects.back().texture->front().finish.ambient.rgb = Vec3(0);
-  scene.objects.back().texture->front().finish.diffuse = 1;
+  scene.objects.back().texture->front().finish->ambient.rgb = Vec3(0);
+  scene.objects.back().texture->front().finish->diffuse = 1;
   scene.camera.location = {0, 0, 7.5};
   scene.settings.assumed_gamma = 1;
   RenderOptions options;

@@ -159,7 +159,7 @@ TEST(Combs, MayBeMixedInAScene) {
   slab(16, stochastic(Comb{0, Jitter::Triangular, 2, Follow::Every}));
   slab(18, adaptive(0.5));
   for (auto& object : scene.objects)
-    if (object.texture && object.texture->front().finish.diffuse == 0 && !object.interior)
+    if (object.texture && object.texture->front().finish->diffuse == 0 && !object.interior)
       object.texture->front().pigment.colour.rgb = Vec3(1);
   scene.background.rgb = Vec3(1);
   scene.settings.max_trace_level = 60;

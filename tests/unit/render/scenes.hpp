@@ -36,8 +36,8 @@ inline scene::Layers plain(Vec3 const& rgb, double transmit = 0) {
 /// A texture that lets all light pass and adds none.
 inline scene::Layers clear() {
   auto layers = plain(Vec3(1), 1);
-  layers[0].finish.ambient.rgb = Vec3(0);
-  layers[0].finish.diffuse = 0;
+  layers[0].finish->ambient.rgb = Vec3(0);
+  layers[0].finish->diffuse = 0;
   return layers;
 }
 

@@ -83,7 +83,7 @@ TEST(Together, GlassThatMirrorsByItsFinishIsThatOfEachAlone) {
     reflection.maximum.rgb = Vec3(0.3);
     reflection.exponent = exponent;
     ASSERT_TRUE(scene.objects[1].texture);
-    scene.objects[1].texture->at(0).finish.reflection = reflection;
+    scene.objects[1].texture->at(0).finish->reflection = reflection;
     expect_same(scene, 16);
   }
 }

@@ -25,8 +25,8 @@ inline scene::Scene wedge(optics::GlassPtr glass, scene::DispersionMode mode, in
   scene.objects.push_back(with_glass(std::move(prism), std::move(glass), mode));
   auto const glowing = [](Vec3 const& value) {
     auto layers = plain(value);
-    layers[0].finish.ambient.rgb = Vec3(1);
-    layers[0].finish.diffuse = 0;
+    layers[0].finish->ambient.rgb = Vec3(1);
+    layers[0].finish->diffuse = 0;
     return layers;
   };
   auto const wall = geometry::make_plane({0, 0, -1}, -40);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/placement.hpp"
+
+#include <cstring>
+
+namespace abbe::geometry {
+
+namespace {
+
+bool same_bits(Transform const& a, Transform const& b) {
+  static_assert(sizeof(Transform) == 48 * sizeof(double)); // no gaps
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+} // namespace
+
+Placement::Placement(Transform const& transform)
+    : scale_(transform.linear[0][0], transform.linear[1][1], transform.linear[2][2]),
+      offset_(transform.offset) {
+  if (same_bits(transform, Transform::scaled_and_moved(scale_, offset_))) return;
+  whole_ = std::make_shared<Transform const>(transform);
+  scale_ = Vec3(1);
+  offset_ = Vec3(0);
+}
+
+} // namespace abbe::geometry
