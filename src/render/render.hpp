@@ -61,7 +61,8 @@ struct RenderOptions {
 #else
   bool check_finite = true;
 #endif
-  /// Takes the finished rows, from the top, some at a time; false: leave. When it is set,
+  /// Takes the finished rows, from the top, some at a time, by one thread at a time while others go
+  /// on; false: leave. When it is set,
   /// RenderResult::image stays empty and memory does not grow with the picture's height.
   std::function<bool(image::Image const& rows)> on_rows;
   /// About how much memory the rows in work may take.
