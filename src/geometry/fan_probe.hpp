@@ -17,6 +17,17 @@ struct FanExtents {
     double least, largest;
   };
   Range origin[3], direction[3];
+  /// By the largest errors of the rays' origins.
+  FanExtents widened(FanLines const& rays) const {
+    FanExtents out = *this;
+    double const* const errors[3] = {rays.origin_error.x, rays.origin_error.y, rays.origin_error.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      double const by = *std::max_element(errors[axis], errors[axis] + rays.count);
+      out.origin[axis].least -= by;
+      out.origin[axis].largest += by;
+    }
+    return out;
+  }
 };
 /// @param rays filled up
 template <class L>

@@ -108,6 +108,11 @@ std::unique_ptr<TracedSolid::Tree const>
 TracedSolid::make_tree(CsgTree const& source, std::vector<Placed> const& primitives) {
   auto tree = std::make_unique<Tree>(source);
   tree->cut = ConvexCut::of(source, tree->program, primitives);
+  if (tree->cut && tree->cut->has_kernels()) {
+    tree->fan_cut = tree->cut.get();
+  } else {
+    tree->lanes = LaneTree::of(source, tree->program, primitives);
+  }
   auto const& operands = tree->program.operands();
   bool const many = operands.size() > many_operands;
   tree->traits.assign(operands.size(), 0);

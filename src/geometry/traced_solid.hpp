@@ -3,6 +3,7 @@
 
 #include "geometry/bvh.hpp"
 #include "geometry/convex_cut.hpp"
+#include "geometry/lane_tree.hpp"
 #include "geometry/line_query.hpp"
 
 #include <algorithm>
@@ -36,15 +37,15 @@ public:
   Bounds const& bounds() const { return bounds_; }
   bool has_program() const { return tree_ != nullptr; }
   CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
-  /// Without a program: the one primitive, and whether its inside is taken for its outside.
+  /// Without a program: the one primitive (inverse(): inside and outside swapped).
   PrimitiveId only() const { return only_; }
   /// Of the one primitive where it is a convex shape with both ends visible; else null.
   EndsKernel const* ends() const { return ends_; }
   bool inverse() const { return inverse_; }
-  /// Of a boolean tree that it knows and that fan_cut.hpp can be asked of; else null.
-  ConvexCut const* fan_cut() const {
-    return tree_ && tree_->cut && tree_->cut->has_kernels() ? tree_->cut.get() : nullptr;
-  }
+  /// For fan_cut.hpp, or null.
+  ConvexCut const* fan_cut() const { return tree_ ? tree_->fan_cut : nullptr; }
+  /// For lane_tree.hpp, or null.
+  LaneTree const* lane_tree() const { return tree_ ? tree_->lanes.get() : nullptr; }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
   /// not visible) or a patch. Members are scratch.events[first, last).
@@ -69,8 +70,8 @@ private:
   /// The short way of ConvexCut. @return how many passages were taken, or `all_taken`
   template <class Take>
   std::size_t convex(Query const& query, Take& take) const;
-  /// The short way of a merge that is met from outside: only operands up to the first way in are
-  /// looked at. @return as convex()
+  /// The short way of a merge met from outside: operands up to the first way in. @return as
+  /// convex()
   template <class Take>
   std::size_t nearest(Query const& query, Take& take) const;
   static constexpr std::size_t all_taken = static_cast<std::size_t>(-1);
@@ -97,11 +98,13 @@ private:
   struct Tree {
     explicit Tree(CsgTree const& tree) : program(tree) {}
     CsgProgram program;
-    std::unique_ptr<ConvexCut const> cut; ///< when the tree is of its kind
-    bool merge = false;                   ///< of primitives alone, and with a hierarchy
-    Bvh operand_bvh;                      ///< over finite operands when there are many
-    std::vector<std::uint32_t> finite;    ///< item of operand_bvh -> operand
-    std::vector<std::uint32_t> always;    ///< operands tested for each ray, but carriers
+    std::unique_ptr<ConvexCut const> cut;  ///< when the tree is of its kind
+    ConvexCut const* fan_cut = nullptr;    ///< that, when its operands have kernels
+    std::unique_ptr<LaneTree const> lanes; ///< else, when of its kind
+    bool merge = false;                    ///< of primitives alone, and with a hierarchy
+    Bvh operand_bvh;                       ///< over finite operands when there are many
+    std::vector<std::uint32_t> finite;     ///< item of operand_bvh -> operand
+    std::vector<std::uint32_t> always;     ///< operands tested for each ray, but carriers
     /// Bounded operands outside of all of which the line is outside of the solid; none when there
     /// are no such or many. They come first: where they have no crossing, nothing has.
     std::vector<std::uint32_t> carriers;

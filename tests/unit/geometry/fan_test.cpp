@@ -2,6 +2,7 @@
 #include "geometry/fan.hpp"
 
 #include "base/random.hpp"
+#include "fan_check.hpp"
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/cone.hpp"
 #include "geometry/shapes/cylinder.hpp"
@@ -69,52 +70,10 @@ protected:
     return size * (2.0 * Vec3(x, y, z) - Vec3(1));
   }
 
-  /// Asks for the rays together and one by one. @return rays whose answer was Single
   int compare(FanLines& lines, Departure const* from) {
-    lines.fill();
-    FanHits hits;
-    world_.closest_fan(lines, from, 0xff, nullptr, *scratch_, hits);
-    compare_occlusion(lines, from);
-    int single = 0;
-    for (std::size_t k = 0; k < lines.count; ++k) {
-      HitGroup alone, together;
-      bool const found = world_.closest(lines.get(k), from, 0xff, infinity, *scratch_, alone);
-      FanHit const& hit = hits.hit[k];
-      if (hit.kind == FanHit::Kind::Unclear) {
-        EXPECT_TRUE(found);
-        continue;
-      }
-      EXPECT_EQ(found, hit.kind == FanHit::Kind::Single);
-      if (!found || hit.kind != FanHit::Kind::Single) continue;
-      hits.write(k, together);
-      EXPECT_EQ(alone.t, together.t);
-      EXPECT_EQ(alone.error, together.error);
-      EXPECT_EQ(alone.point, together.point);
-      EXPECT_EQ(alone.point_error, together.point_error);
-      EXPECT_EQ(alone.crossings.size(), 1U);
-      EXPECT_EQ(alone.members.size(), 1U);
-      SurfaceCrossing const &a = alone.crossings[0], &b = together.crossings[0];
-      EXPECT_EQ(a.solid, b.solid);
-      EXPECT_EQ(a.primitive, b.primitive);
-      EXPECT_EQ(a.face, b.face);
-      EXPECT_EQ(a.entering, b.entering);
-      EXPECT_EQ(a.toggles, b.toggles);
-      EXPECT_EQ(alone.members[0].was_entering, together.members[0].was_entering);
-      ++single;
-    }
-    return single;
-  }
-
-  void compare_occlusion(FanLines const& lines, Departure const* from) {
     double t_max[fan_width];
-    bool blocked[fan_width], clear[fan_width];
     for (double& t : t_max) t = 20 * uniform();
-    world_.occluded_fan(lines, from, 0xff, t_max, *scratch_, blocked, clear);
-    for (std::size_t k = 0; k < lines.count; ++k) {
-      EXPECT_FALSE(blocked[k] && clear[k]);
-      if (!blocked[k] && !clear[k]) continue;
-      EXPECT_EQ(blocked[k], world_.occluded(lines.get(k), from, 0xff, t_max[k], *scratch_));
-    }
+    return compare_fan(world_, lines, from, t_max, *scratch_);
   }
 
   World world_;
