@@ -70,8 +70,7 @@ private:
   /// The short way of ConvexCut. @return how many passages were taken, or `all_taken`
   template <class Take>
   std::size_t convex(Query const& query, Take& take) const;
-  /// The short way of a merge met from outside: operands up to the first way in. @return as
-  /// convex()
+  /// That of a merge met from outside: operands up to the first way in. @return as convex()
   template <class Take>
   std::size_t nearest(Query const& query, Take& take) const;
   static constexpr std::size_t all_taken = static_cast<std::size_t>(-1);
