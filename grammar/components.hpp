@@ -62,6 +62,9 @@ struct ListDirective : x3::unary_parser<Subject, ListDirective<Subject>> {
       while (first != last && (*first == ',' || at_lone_hash(first, last)))
         first = skip_blanks(first + 1, last);
       if (first != last) {
+        State const& state = state_of(context);
+        if (first >= state.pause && static_cast<void const*>(&items) == state.statements)
+          return true;
         if (ast::LiteralVectors run; scan_vectors(first, last, state_of(context), run)) {
           items.emplace_back(std::move(run));
           continue;

@@ -39,6 +39,11 @@ struct State {
   Iterator no_run_before = nullptr; ///< vectors up to here are known to be too few for a run
   Iterator path_word_end = nullptr; ///< end of `png`, `ttf` ...: a string right after it is a path
 
+  /// The list of the top level, and from where on it is left (StatementParser).
+  void const* statements = nullptr;
+  Iterator pause = nullptr;
+  bool lasting = false; ///< was there a macro or a function since the last pause?
+
   Iterator end = nullptr;             ///< of the text
   std::optional<Structure> structure; ///< made at the first #if
 
@@ -64,6 +69,16 @@ struct tag_span {
                   AnyContext const& context) {
     // X3 calls with (start, end of the match).
     node.span = state_of(context).span(skip_blanks(first, end), end);
+  }
+};
+
+/// The same for a node that values will refer to: Macro, Function.
+struct tag_lasting : tag_span {
+  template <class Node, class AnyContext>
+  void on_success(Iterator const& first, Iterator const& end, Node& node,
+                  AnyContext const& context) {
+    tag_span::on_success(first, end, node, context);
+    state_of(context).lasting = true;
   }
 };
 

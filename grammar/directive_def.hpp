@@ -11,7 +11,7 @@
 namespace abbe::grammar::rules {
 
 struct DeclareId : tag_span {};
-struct MacroId : tag_span {};
+struct MacroId : tag_lasting {};
 struct PlainId : tag_open {};
 
 // ------------------------------------------------------------------------------------- arguments

@@ -13,7 +13,7 @@ struct BlockId : tag_open {};
 struct BareBlockId : tag_open {};
 struct BracketId : tag_span {};
 struct ArrayId : tag_span {};
-struct FunctionId : tag_span {};
+struct FunctionId : tag_lasting {};
 struct ItemId;
 
 // -------------------------------------------------------------------------------------- blocks

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace abbe {
 namespace grammar {
@@ -46,26 +47,33 @@ SyntaxError stray(Iterator at, Iterator last) {
 
 class Run {
 public:
-  explicit Run(SourceFile const& source) : last_(source.text().data() + source.text().size()) {
+  explicit Run(SourceFile const& source)
+      : last_(source.text().data() + source.text().size()), at_(source.text().data()) {
     state_.source = &source;
-    state_.begin = source.text().data();
+    state_.begin = at_;
     state_.end = last_;
-    parsed_.document.source = &source;
   }
 
-  Parsed operator()() {
+  bool at_end() const { return at_ == last_; }
+
+  /// Reads the statements that begin within so many bytes.
+  void operator()(std::size_t bytes, ast::Items& statements, std::vector<Diagnostic>& errors) {
     char const here = 0;
     state_.stack_start = &here;
-    Iterator at = state_.begin;
-    while (parsed_.errors.size() < max_errors) {
-      start_afresh();
+    state_.statements = &statements;
+    state_.pause = bytes < static_cast<std::size_t>(last_ - at_) ? at_ + bytes : last_;
+    while (error_count_ < max_errors) {
       SyntaxError error;
-      if (parse_items(at, error)) break;
-      parsed_.errors.push_back(to_diagnostic(error, state_));
-      at = resume(error.begin, last_, state_, pending_);
+      if (parse_items(at_, statements, error)) return;
+      errors.push_back(to_diagnostic(error, state_));
+      ++error_count_;
+      at_ = resume(error.begin, last_, state_, pending_);
+      start_afresh();
     }
-    return std::move(parsed_);
+    at_ = last_;
   }
+
+  bool take_lasting() { return std::exchange(state_.lasting, false); }
 
 private:
   void start_afresh() {
@@ -74,19 +82,21 @@ private:
     fresh.begin = state_.begin;
     fresh.end = state_.end;
     fresh.stack_start = state_.stack_start;
+    fresh.statements = state_.statements;
+    fresh.pause = state_.pause;
+    fresh.lasting = state_.lasting;
     fresh.structure = std::move(state_.structure);
     state_ = std::move(fresh);
   }
-  /// Reads statements up to the end (true) or an error.
-  bool parse_items(Iterator& at, SyntaxError& error) {
+  /// Reads statements up to the end or the pause (true), or an error.
+  bool parse_items(Iterator& at, ast::Items& all, SyntaxError& error) {
     auto const context = x3::make_context<StateTag>(state_);
-    ast::Items& all = parsed_.document.items;
     std::size_t const before = all.size();
     try {
       for (;;) {
         rules::items.parse(at, last_, context, x3::unused, all);
         at = skip_blanks(at, last_);
-        if (at == last_) return true;
+        if (at >= state_.pause) return true;
         if (pending_.take(at, last_)) continue;
         error = stray(at, last_);
         return false;
@@ -101,23 +111,57 @@ private:
   }
 
   Iterator const last_;
+  Iterator at_;
+  std::size_t error_count_ = 0;
   State state_;
   Pending pending_;
-  Parsed parsed_;
 };
 
 } // namespace
 } // namespace grammar
 
+namespace {
+
+/// Places are 32 bits wide.
+bool is_too_large(SourceFile const& source, std::vector<Diagnostic>& errors) {
+  if (source.text().size() <= std::numeric_limits<std::uint32_t>::max()) return false;
+  errors.push_back(
+      {"E0703", Severity::Error, {&source, 0, 0}, "this source is larger than 4 GiB", {}});
+  return true;
+}
+
+} // namespace
+
 Parsed parse(SourceFile const& source) {
-  if (source.text().size() > std::numeric_limits<std::uint32_t>::max()) {
-    Parsed parsed;
-    parsed.document.source = &source;
-    parsed.errors.push_back(
-        {"E0703", Severity::Error, {&source, 0, 0}, "this source is larger than 4 GiB", {}});
-    return parsed;
-  }
-  return grammar::Run(source)();
+  Parsed parsed;
+  parsed.document.source = &source;
+  if (is_too_large(source, parsed.errors)) return parsed;
+  grammar::Run run(source);
+  run(source.text().size(), parsed.document.items, parsed.errors);
+  return parsed;
+}
+
+struct StatementParser::Impl {
+  SourceFile const& source;
+  grammar::Run run;
+  bool refused = false;
+};
+
+StatementParser::StatementParser(SourceFile const& source)
+    : impl_(std::make_unique<Impl>(Impl{source, grammar::Run(source)})) {}
+StatementParser::~StatementParser() = default;
+
+bool StatementParser::at_end() const {
+  return impl_->refused || impl_->run.at_end();
+}
+
+StatementParser::Piece StatementParser::next(std::size_t bytes, ast::Items& statements) {
+  Piece piece;
+  statements.clear();
+  impl_->refused = is_too_large(impl_->source, piece.errors);
+  if (!impl_->refused) impl_->run(bytes, statements, piece.errors);
+  piece.lasting = impl_->run.take_lasting();
+  return piece;
 }
 
 std::string dump_tokens(SourceFile const& source) {

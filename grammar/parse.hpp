@@ -4,6 +4,8 @@
 #include "base/diagnostic.hpp"
 #include "grammar/ast.hpp"
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace abbe {
@@ -18,6 +20,28 @@ struct Parsed {
 /// Syntax only: reads no other file, knows no shape and no keyword's meaning.
 /// Limits (E07xx): nesting of 1000 blocks or parentheses, 4 GiB of text.
 Parsed parse(SourceFile const& source);
+
+/// parse() piece by piece, for sources whose tree would be large: the pieces, one behind another,
+/// are what parse() gives, trees and errors.
+class StatementParser {
+public:
+  explicit StatementParser(SourceFile const& source);
+  ~StatementParser();
+  /// Nothing is left to be read.
+  bool at_end() const;
+  /// The statements that begin within so many bytes of text from here, of which there may be none,
+  /// and the errors found on the way.
+  struct Piece {
+    std::vector<Diagnostic> errors;
+    bool lasting = false; ///< a macro or a function stands in them: values will refer to the tree
+  };
+  /// `statements` are replaced; their memory is used again.
+  Piece next(std::size_t bytes, ast::Items& statements);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// `abbe dump --tokens`: one token a line, `line:col kind text`.
 std::string dump_tokens(SourceFile const& source);

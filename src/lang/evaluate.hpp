@@ -25,8 +25,14 @@ struct EvaluateOptions {
   bool allow_write = false; ///< --allow-write
   int max_errors = 50;
   int max_macro_depth = 1000;
-  /// Texts of #debug, #render and #statistics as they come. (Warnings and errors are diagnostics.)
+  /// Texts of #debug, #render and #statistics as they come; out of a source above `whole_text`,
+  /// once its last statement is parsed. (Warnings and errors are diagnostics.)
   std::function<void(std::string_view)> on_message;
+  /// Sources of up to so many bytes are parsed before their first statement is evaluated; of larger
+  /// ones `text_piece` bytes at a time, so that not the whole tree is in memory. No difference but
+  /// that.
+  std::size_t whole_text = std::size_t{1} << 20;
+  std::size_t text_piece = std::size_t{1} << 16;
   /// Set from outside (an interrupt), it ends the evaluation at the next step.
   std::atomic<bool> const* stop = nullptr;
 };

@@ -17,7 +17,12 @@ std::uintptr_t stack_pointer() {
 } // namespace
 
 Interpreter::Interpreter(EvaluateOptions const& options, SourceSet& sources)
-    : reader(*this), expressions(*this), files(*this), options_(options), sources_(sources) {
+    : reader(*this),
+      expressions(*this),
+      files(*this),
+      streams(*this),
+      options_(options),
+      sources_(sources) {
   for (std::size_t i = 1; i < constant_names.size(); ++i) scope.intern(constant_names[i]);
   for (auto const& function : builtins()) scope.intern(function.name);
   stack_limit_ = stack_pointer() - stack_share;
@@ -37,14 +42,19 @@ ast::Document const& Interpreter::document(SourceFile const& source) {
 
 void Interpreter::report(Severity severity, std::string_view code, std::string message, Span span,
                          std::vector<Diagnostic::Note> notes) {
-  std::string const key = fmt::format("{} {} {} {}", static_cast<void const*>(span.source),
-                                      span.begin, span.end, message);
-  if (!said_.insert(key).second) return;
   auto chain = reader.chain();
   notes.insert(notes.end(), std::make_move_iterator(chain.begin()),
                std::make_move_iterator(chain.end()));
-  diagnostics_.push_back({std::string(code), severity, span, std::move(message), std::move(notes)});
-  if (severity != Severity::Error) return;
+  add({std::string(code), severity, span, std::move(message), std::move(notes)});
+}
+
+void Interpreter::add(Diagnostic diagnostic) {
+  Span const span = diagnostic.span;
+  std::string const key = fmt::format("{} {} {} {}", static_cast<void const*>(span.source),
+                                      span.begin, span.end, diagnostic.message);
+  if (!said_.insert(key).second) return;
+  diagnostics_.push_back(std::move(diagnostic));
+  if (diagnostics_.back().severity != Severity::Error) return;
   if (++errors_ < options_.max_errors) return;
   diagnostics_.push_back({"E0701",
                           Severity::Error,
@@ -55,13 +65,34 @@ void Interpreter::report(Severity severity, std::string_view code, std::string m
   abort();
 }
 
-void Interpreter::say(std::string_view text) const {
-  if (options_.on_message) options_.on_message(text);
+void Interpreter::say(std::string_view text) {
+  if (!options_.on_message) return;
+  if (streams.none())
+    options_.on_message(text);
+  else
+    messages_.emplace_back(text);
+}
+
+Mark Interpreter::mark() const {
+  return {diagnostics_.size(), messages_.size(), texts.size(), errors_};
+}
+
+void Interpreter::roll_back(Mark const& mark) {
+  diagnostics_.erase(diagnostics_.begin() + static_cast<std::ptrdiff_t>(mark.diagnostics),
+                     diagnostics_.end());
+  messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(mark.messages), messages_.end());
+  texts.resize(mark.texts);
+  errors_ = mark.errors;
+}
+
+void Interpreter::release_messages() {
+  for (auto const& text : messages_) options_.on_message(text);
+  messages_.clear();
 }
 
 void Interpreter::check_limits(Span span) {
   place_ = span;
-  if (options_.stop && options_.stop->load(std::memory_order_relaxed)) abort();
+  if (stopped()) abort();
   if (stack_pointer() > stack_limit_) return;
   stack_limit_ = 0; // room for the report
   error("E0702", "blocks and expressions nest too deeply here", span);
@@ -78,10 +109,21 @@ std::string Interpreter::suggestion(std::string_view name,
 }
 
 void Interpreter::run(SourceFile const& source) {
-  ast::Document const& document_ = document(source);
+  try {
+    run_statements(source);
+  } catch (Aborted const&) {
+    streams.abandon();
+    throw;
+  }
+}
+
+void Interpreter::run_statements(SourceFile const& source) {
+  Span const whole{&source, 0, static_cast<std::uint32_t>(source.text().size())};
+  StatementStream* const stream = streams.open(source);
+  ast::Items const& statements = stream != nullptr ? stream->statements : document(source).items;
   if (errors_ > 0) return;
-  reader.enter_region(document_.items,
-                      {&source, 0, static_cast<std::uint32_t>(source.text().size())});
+  reader.enter_region(statements, whole);
+  reader.read_from(stream);
   try {
     place_ = reader.next_span();
     while (!reader.at_end()) read_statement(reader);
@@ -91,6 +133,7 @@ void Interpreter::run(SourceFile const& source) {
     abort();
   }
   reader.leave_region();
+  if (stream != nullptr) streams.close();
   state.scene.settings.version = state.effective_version;
   files.finish();
 }

@@ -9,6 +9,7 @@
 #include "lang/files.hpp"
 #include "lang/reader_impl.hpp"
 #include "lang/scope.hpp"
+#include "lang/statement_streams.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -37,12 +38,13 @@ public:
   ReaderImpl reader;
   Expressions expressions;
   Files files;
+  StatementStreams streams;
   std::vector<std::uint32_t> random_streams; ///< state of each stream of seed()
   double version = 3.7;                      ///< what `version` yields
 
   EvaluateOptions const& options() const { return options_; }
 
-  /// Runs a whole scene. Parsing errors stop it before anything is evaluated.
+  /// Runs a whole scene. A source with errors of syntax is not evaluated, or as if it were not.
   void run(SourceFile const& source);
 
   /// Parses a source, once; its syntax errors are reported. The tree lives as long as the run.
@@ -62,12 +64,20 @@ public:
   void warning(std::string message, Span span) {
     report(Severity::Warning, "", std::move(message), span);
   }
+  /// Adds a message as it is. @throws Aborted when there are too many errors
+  void add(Diagnostic);
   /// The text of `#debug`.
-  void say(std::string_view text) const;
+  void say(std::string_view text);
+  /// What was said so far; to unsay what was said since; to let go what was said while a stream was
+  /// read.
+  Mark mark() const;
+  void roll_back(Mark const&);
+  void release_messages();
   [[noreturn]] void abort() const { throw Aborted{}; }
   /// To be called in every loop of the user's and at every nesting: leaves when the stop flag is
   /// set or the stack runs out.
   void check_limits(Span);
+  bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
 
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
   int error_count() const { return errors_; }
@@ -76,10 +86,13 @@ public:
   std::string suggestion(std::string_view name, std::vector<std::string_view> others = {}) const;
 
 private:
+  void run_statements(SourceFile const& source);
+
   EvaluateOptions const& options_;
   SourceSet& sources_;
   std::unordered_map<SourceFile const*, std::unique_ptr<ast::Document>> documents_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<std::string> messages_; ///< of #debug, while a stream is read
   std::unordered_set<std::string> said_;
   int errors_ = 0;
   std::uintptr_t stack_limit_ = 0; ///< the lowest address that may be used

@@ -64,7 +64,11 @@ void ReaderImpl::settle() {
 
 /// @return true when the end of the frame is what comes next (a wall)
 bool ReaderImpl::end_of_frame() {
-  Frame const& frame = frames_.back();
+  Frame& frame = frames_.back();
+  if (frame.stream != nullptr && in_.streams.next(*frame.stream)) {
+    frame.position = 0;
+    return false;
+  }
   if (frame.wall()) {
     set(Next::End, end_of(frame.span));
     return true;
@@ -88,6 +92,7 @@ void ReaderImpl::pop() {
   } else if (kind == Frame::Kind::Include) {
     in_.scope.leave();
     --includes_;
+    if (frames_.back().stream != nullptr) in_.streams.close();
   }
   frames_.pop_back();
   peek_.ready = false;

@@ -3,6 +3,7 @@
 
 #include "lang/reader.hpp"
 #include "lang/scope.hpp"
+#include "lang/statement_streams.hpp"
 
 #include <map>
 #include <string>
@@ -64,6 +65,10 @@ public:
 
   /// Reads `items` behind a wall until leave_region(), which reports what is left unread.
   void enter_region(ast::Items const& items, Span);
+  /// The innermost list goes on with the next pieces of the stream, if there is one.
+  void read_from(StatementStream* stream) { frames_.back().stream = stream; }
+  /// Is a block being read that an #if left open?
+  bool in_loose_block() const { return !open_blocks_.empty(); }
   void leave_region();
   /// What may stand behind `=` or as a macro's argument; empty (reported) when there is none.
   Value read_value();
@@ -92,9 +97,10 @@ private:
     Kind kind = Kind::Splice;
     std::uint32_t element = 0; ///< of an item that is many vectors
     std::uint8_t part = 0;     ///< of an item that is a value and a parenthesised one: 1 done
-    ast::Items const* tail = nullptr; ///< goes on inside the block that is the last item
-    void const* loop = nullptr;       ///< the ast::While or ast::Switch
-    Symbol counter = 0;               ///< of a For
+    ast::Items const* tail = nullptr;  ///< goes on inside the block that is the last item
+    void const* loop = nullptr;        ///< the ast::While or ast::Switch
+    StatementStream* stream = nullptr; ///< `items` are a piece of it
+    Symbol counter = 0;                ///< of a For
     double last = 0, step = 1;
     std::size_t clause = 0;
     bool tainted = false; ///< of a Block: holds a value that was wrong and is a stand-in

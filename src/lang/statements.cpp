@@ -36,6 +36,11 @@ void ReaderImpl::include(ast::Directive const& node) {
   frame.span = node.span;
   frame.name = source->name();
   push(std::move(frame));
+  if (StatementStream* const stream = in_.streams.open(*source)) {
+    frames_.back().items = &stream->statements;
+    read_from(stream);
+    return;
+  }
   int const before = in_.error_count();
   frames_.back().items = &in_.document(*source).items;
   if (in_.error_count() > before) in_.abort();
