@@ -12,7 +12,7 @@
 namespace abbe::geometry {
 
 /// Rays of one fan, at most.
-inline constexpr std::size_t fan_width = 16;
+inline constexpr std::size_t fan_width = 32;
 
 /// A vector a ray, component by component.
 struct FanVectors {

@@ -29,7 +29,7 @@ FanSurface Shader<Lanes>::shade() {
   FanSurface out;
   out.passed = take_lanes(1.0);
   out.mirrored = take_lanes(0.0);
-  Rays rays = (Rays{1} << met_.rays) - 1;
+  Rays rays = ~Rays{0} >> (64 - met_.rays);
   // What is left comes before what is entered: that is the order in which the light meets them.
   for (bool const entering : {false, true})
     for (auto const& crossing : frame_.hit.crossings)

@@ -45,7 +45,7 @@ public:
 
 private:
   /// Rays that are still of interest, a bit each.
-  using Rays = std::uint32_t;
+  using Rays = std::uint64_t;
   /// A pigment where each ray met it.
   struct Pigments {
     double* colour = nullptr; ///< a value a lane
@@ -69,7 +69,7 @@ private:
   template <class Visit>
   void each_ray(Rays rays, Visit&& visit) const {
     for (std::size_t r = 0; r < met_.rays; ++r)
-      if ((rays >> r & 1U) != 0) visit(r, static_cast<int>(r) * each());
+      if ((rays >> r & 1) != 0) visit(r, static_cast<int>(r) * each());
   }
   double* take_lanes() {
     return tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
