@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "grammar/terminals.hpp"
+#include "grammar/plain_items.hpp"
 
 /// X3 directives (parsers around a parser) for what recurs in this grammar: lists, brackets, bodies
 /// and chains of operators. They stand where other grammars need semantic actions.
@@ -46,35 +46,57 @@ inline bool at_lone_hash(Iterator at, Iterator last) {
   return *at == '#' && directive_at(at, last).empty();
 }
 
-/// Items with any commas between and around them.
-template <class Subject>
-struct ListDirective : x3::unary_parser<Subject, ListDirective<Subject>> {
-  using x3::unary_parser<Subject, ListDirective<Subject>>::unary_parser;
-  using attribute_type = std::vector<typename x3::traits::attribute_of<Subject, Context>::type>;
+/// Items with any commas between and around them: plain ones, blocks `head { ... }`, whose braces
+/// `Braces` reads, and whatever else `Subject` reads.
+template <class Subject, class Braces>
+struct ListDirective : x3::binary_parser<Subject, Braces, ListDirective<Subject, Braces>> {
+  using x3::binary_parser<Subject, Braces, ListDirective<Subject, Braces>>::binary_parser;
+  using attribute_type = ast::Items;
   static bool const has_attribute = true;
   static bool const handles_container = true;
 
-  template <class AnyContext, class RContext, class Actual>
+  template <class AnyContext, class RContext>
   bool parse(Iterator& first, Iterator const& last, AnyContext const& context, RContext& rcontext,
-             Actual& items) const {
+             ast::Items& items) const {
+    State& state = state_of(context);
     for (;;) {
       first = skip_blanks(first, last);
       while (first != last && (*first == ',' || at_lone_hash(first, last)))
         first = skip_blanks(first + 1, last);
       if (first != last) {
-        State const& state = state_of(context);
         if (first >= state.pause && static_cast<void const*>(&items) == state.statements)
           return true;
-        if (ast::LiteralVectors run; scan_vectors(first, last, state_of(context), run)) {
-          items.emplace_back(std::move(run));
-          continue;
-        }
+        if (closes_list(first, state)) return true;
+        if (*first == '<' && scan_vectors(first, last, state, items)) continue;
       }
+      if (items.capacity() == 0) items.reserve(usual_length);
       items.emplace_back();
-      if (!this->subject.parse(first, last, context, rcontext, items.back())) break;
+      switch (scan_plain(first, last, state, items.back())) {
+      case Plain::Taken:
+        break;
+      case Plain::Block:
+        parse_block(first, last, context, rcontext,
+                    boost::get<x3::forward_ast<ast::Block>>(
+                        boost::get<ast::Expr>(items.back().get()).get()));
+        break;
+      case Plain::No:
+        if (this->left.parse(first, last, context, rcontext, items.back())) break;
+        items.pop_back();
+        return true;
+      }
     }
-    items.pop_back();
-    return true;
+  }
+
+private:
+  static constexpr std::size_t usual_length = 4;
+
+  template <class AnyContext, class RContext>
+  void parse_block(Iterator& first, Iterator const& last, AnyContext const& context,
+                   RContext& rcontext, ast::Block& block) const {
+    State& state = state_of(context);
+    this->right.parse(first, last, context, rcontext, block.items);
+    block.span = state.span(state.begin + block.head.span.begin, first);
+    block.open = !std::exchange(state.closed, true);
   }
 };
 
@@ -237,17 +259,17 @@ constexpr auto outlined(Subject const& inner) {
   return OutlinedDirective<Attribute, Parser>(x3::as_parser(inner));
 }
 
-template <class Subject>
-constexpr auto list_of(Subject const& inner) {
+template <class Subject, class Braces>
+constexpr auto list_of(Subject const& inner, Braces const& braces) {
   using Parser = typename x3::extension::as_parser<Subject>::value_type;
-  return ListDirective<Parser>(x3::as_parser(inner));
+  return ListDirective<Parser, Braces>(x3::as_parser(inner), braces);
 }
 
 } // namespace abbe::grammar
 
 namespace boost::spirit::x3::traits {
-template <class Subject, class Context>
-struct attribute_of<abbe::grammar::ListDirective<Subject>, Context> {
-  using type = std::vector<typename attribute_of<Subject, Context>::type>;
+template <class Subject, class Braces, class Context>
+struct attribute_of<abbe::grammar::ListDirective<Subject, Braces>, Context> {
+  using type = abbe::ast::Items;
 };
 } // namespace boost::spirit::x3::traits

@@ -36,7 +36,6 @@ struct State {
   int directives = 0; ///< open #if, #while ...
   char const* stack_start = nullptr;
   bool closed = true;               ///< was the last bracket closed (or left to another branch)?
-  Iterator no_run_before = nullptr; ///< vectors up to here are known to be too few for a run
   Iterator path_word_end = nullptr; ///< end of `png`, `ttf` ...: a string right after it is a path
 
   /// The list of the top level, and from where on it is left (StatementParser).

@@ -48,7 +48,7 @@ x3::rule<ItemId, ast::Item> const item = "an item";
 auto const item_def = outlined<ast::Item>(directive) | outlined<ast::Item>(operand)
                       | outlined<ast::Item>(WordLiteral{} | bracket | PunctuationLiteral{});
 
-auto const items_def = list_of(item);
+auto const items_def = list_of(item, braces);
 auto const argument_def = +item;
 
 BOOST_SPIRIT_DEFINE(items, argument, block, operand, item, bare_block, bracket, array, function)

@@ -4,37 +4,63 @@
 #include "grammar/keywords.def"
 
 #include <array>
-#include <string>
-#include <unordered_map>
+#include <vector>
 
 namespace abbe::grammar {
 namespace {
 
-using Table = std::unordered_map<std::string_view, WordKind>;
+/// Open addressing: every word of a text is looked up.
+class Table {
+public:
+  Table() : slots_(size) {
+#define X(word) add(#word, WordKind::Operand);
+    ABBE_OPERANDS
+#undef X
+#define X(word) add(#word, WordKind::Function);
+    ABBE_FUNCTIONS
+#undef X
+#define X(word) add(#word, WordKind::Word);
+    ABBE_WORDS
+#undef X
+#define X(word) add(#word, WordKind::Directive);
+    ABBE_DIRECTIVES
+#undef X
+  }
 
-Table make_table() {
-  Table table;
-#define X(word) table.emplace(#word, WordKind::Operand);
-  ABBE_OPERANDS
-#undef X
-#define X(word) table.emplace(#word, WordKind::Function);
-  ABBE_FUNCTIONS
-#undef X
-#define X(word) table.emplace(#word, WordKind::Word);
-  ABBE_WORDS
-#undef X
-#define X(word) table.emplace(#word, WordKind::Directive);
-  ABBE_DIRECTIVES
-#undef X
-  return table;
-}
+  WordKind find(std::string_view word) const {
+    Slot const& slot = slots_[place(word)];
+    return slot.word.empty() ? WordKind::Name : slot.kind;
+  }
+
+private:
+  static constexpr std::size_t size = 2048; ///< more than twice as many as words
+  struct Slot {
+    std::string_view word;
+    WordKind kind = WordKind::Name;
+  };
+
+  /// Where the word is or would be.
+  std::size_t place(std::string_view word) const {
+    std::uint32_t hash = 2166136261u; // FNV-1a
+    for (char const c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    std::size_t at = (hash ^ hash >> 15) % size;
+    while (!slots_[at].word.empty() && slots_[at].word != word) at = (at + 1) % size;
+    return at;
+  }
+  /// The first of several meanings counts.
+  void add(std::string_view word, WordKind kind) {
+    Slot& slot = slots_[place(word)];
+    if (slot.word.empty()) slot = {word, kind};
+  }
+
+  std::vector<Slot> slots_;
+};
 
 } // namespace
 
 WordKind word_kind(std::string_view word) {
-  static Table const table = make_table();
-  auto const found = table.find(word);
-  return found == table.end() ? WordKind::Name : found->second;
+  static Table const table;
+  return table.find(word);
 }
 
 std::span<std::string_view const> directive_words() {

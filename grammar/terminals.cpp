@@ -57,35 +57,6 @@ bool LiteralVector::scan_components(Iterator& at, Iterator last, State& state,
   return out.size >= 2;
 }
 
-bool scan_vectors(Iterator& first, Iterator last, State& state, ast::LiteralVectors& out) {
-  constexpr std::size_t fewest = 16;
-  if (*first != '<' || state.bracket != '{' || state.flavour != Flavour::Bare
-      || first < state.no_run_before)
-    return false;
-  Iterator at = first, end = first;
-  ast::LiteralVector one;
-  while (at != last && *at == '<' && LiteralVector::scan_components(at, last, state, one)) {
-    if (out.size != 0 && one.size != out.size) break;
-    // Nothing may follow that could make more of it than a vector.
-    Iterator const next = skip_blanks(at, last);
-    if (next == last || (*next != ',' && *next != '<' && *next != '}')) break;
-    out.size = one.size;
-    out.values.insert(out.values.end(), one.values, one.values + one.size);
-    out.begin.push_back(one.span.begin);
-    end = at;
-    for (at = next; at != last && *at == ',';) at = skip_blanks(at + 1, last);
-  }
-  if (out.count() < fewest) {
-    state.no_run_before = end;
-    return false;
-  }
-  out.values.shrink_to_fit();
-  out.begin.shrink_to_fit();
-  out.span = state.span(first, end);
-  first = end;
-  return true;
-}
-
 bool StringLiteral::scan_checked(Iterator& at, Iterator last, State& state, ast::String& out,
                                  bool path) {
   Iterator const begin = at;

@@ -112,10 +112,6 @@ struct LiteralVector : Terminal<LiteralVector, ast::LiteralVector> {
   std::string label() const { return "a vector"; }
 };
 
-/// A run of `<1, -2.5, 3>` of one size, long enough to be worth a node of its own.
-/// @return false, and nothing taken, when there are fewer or something else stands between
-bool scan_vectors(Iterator& at, Iterator last, State& state, ast::LiteralVectors& out);
-
 struct StringLiteral : Terminal<StringLiteral, ast::String> {
   bool scan(Iterator& at, Iterator last, State& state, ast::String& out) const {
     return *at == '"' && scan_checked(at, last, state, out, after_path_word(at, last, state));
