@@ -5,6 +5,7 @@
 #include "geometry/treelets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -17,35 +18,60 @@ namespace {
 constexpr std::uint32_t treelets_from = 1 << 14, treelet_size = 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// Four sides of a box at a time, said outright: compilers make single operations of plain loops.
+using Four = float __attribute__((vector_size(16)));
+
+Four load(float const* from) {
+  Four out;
+  std::memcpy(&out, from, sizeof out);
+  return out;
+}
+Four all_of(float x) {
+  return Four{x, x, x, x};
+}
+void shrink(Four& a, Four const& b) {
+  a = b < a ? b : a;
+}
+/// Sides 0 to 3 of a BvhBox, and 2 to 5: what they share is the same in both.
+struct Sides {
+  Four first, last;
+  explicit Sides(BvhBox const& box) : first(load(box.side)), last(load(box.side + 2)) {}
+  /// BvhBox::middle of each axis, and a number.
+  Four middle() const { return first - Four{last[1], last[2], last[3], last[3]}; }
+};
+
 struct Box {
-  double side[6] = {infinite, infinite, infinite, infinite, infinite, infinite}; ///< as BvhBox
-  void grow(double const (&by)[6]) {
-    // Two at a time, said outright: compilers make single operations of the plain loop.
-    using Pair = double __attribute__((vector_size(16)));
-    for (int i = 0; i < 6; i += 2) {
-      Pair ours, theirs;
-      std::memcpy(&ours, side + i, sizeof ours);
-      std::memcpy(&theirs, by + i, sizeof theirs);
-      ours = theirs < ours ? theirs : ours;
-      std::memcpy(side + i, &ours, sizeof ours);
-    }
+  Four first = all_of(std::numeric_limits<float>::infinity()), last = first; ///< as Sides
+  void grow(Sides const& by) {
+    shrink(first, by.first);
+    shrink(last, by.last);
   }
-  void grow(Vec3 const& point) { grow({point.x, point.y, point.z, -point.x, -point.y, -point.z}); }
-  Vec3 low() const { return {side[0], side[1], side[2]}; }
-  Vec3 high() const { return {-side[3], -side[4], -side[5]}; }
-  Vec3 extent() const { return high() - low(); }
+  void grow(Box const& by) {
+    shrink(first, by.first);
+    shrink(last, by.last);
+  }
+  float side(int i) const { return i < 4 ? first[i] : last[i - 2]; }
   double area() const {
-    Vec3 const d = glm::max(extent(), Vec3(0));
-    return d.x * d.y + d.y * d.z + d.z * d.x;
+    double const x = extent(0), y = extent(1), z = extent(2);
+    return x * y + y * z + z * x;
+  }
+
+private:
+  double extent(int axis) const {
+    return std::fmax(-static_cast<double>(side(axis + 3)) - static_cast<double>(side(axis)), 0.0);
   }
 };
 
 /// What is known of items before they are looked at one by one.
 struct Extent {
-  Box box, centres;
+  Box box;
+  Four low = all_of(std::numeric_limits<float>::infinity()), high = -low; ///< of their middles
   void grow(BvhBox const& ref) {
-    box.grow(ref.side);
-    centres.grow(ref.centre());
+    Sides const sides(ref);
+    box.grow(sides);
+    Four const middle = sides.middle();
+    shrink(low, middle);
+    high = middle > high ? middle : high;
   }
 };
 
@@ -67,21 +93,42 @@ struct Builder {
     return extent;
   }
 
-  void build(std::uint32_t begin, std::uint32_t end, int depth, Extent const& extent) {
+  /// What stands in a node for a part of the items.
+  struct Part {
+    std::uint32_t first, count;
+  };
+  Part build(std::uint32_t begin, std::uint32_t end, int depth, Extent const& extent) {
     if (runs != nullptr && end - begin == 1) {
       Treelet const& run = (*runs)[refs[begin].item];
       return below->build(run.begin, run.end, depth, below->extent_of(run.begin, run.end));
     }
-    std::size_t const self = nodes.size();
-    nodes.push_back({extent.box.low(), extent.box.high(), begin, end - begin});
-    if (end - begin <= leaf_size || (depth + 1 >= max_bvh_depth && runs == nullptr)) return;
+    Part const leaf{begin, end - begin};
+    bool const root = nodes.empty();
+    if (!root && end - begin <= leaf_size) return leaf;
+    if (depth + 1 >= max_bvh_depth && runs == nullptr) return leaf;
     Extent left, right;
-    std::uint32_t const middle = split(begin, end, depth, extent, left, right);
-    if (middle == begin) return;
-    nodes[self].count = 0;
-    build(begin, middle, depth + 1, left);
-    nodes[self].first = static_cast<std::uint32_t>(nodes.size());
-    build(middle, end, depth + 1, right);
+    std::uint32_t const middle = split(begin, end, depth, extent, root, left, right);
+    if (middle == begin) return leaf;
+    auto const self = static_cast<std::uint32_t>(nodes.size());
+    nodes.emplace_back();
+    set(self, 0, left.box, build(begin, middle, depth + 1, left));
+    set(self, 1, right.box, build(middle, end, depth + 1, right));
+    return {self, BvhNode::inner};
+  }
+  void set(std::uint32_t number, std::size_t k, Box const& box, Part const& part) {
+    BvhNode& node = nodes[number];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      node.planes[0][axis][k] = box.side(static_cast<int>(axis));
+      node.planes[1][axis][k] = -box.side(static_cast<int>(axis) + 3);
+    }
+    node.first[k] = part.first;
+    node.count[k] = part.count;
+  }
+  /// One item: the other box is empty.
+  void build_single() {
+    nodes.emplace_back();
+    set(0, 0, extent_of(0, 1).box, {0, 1});
+    set(0, 1, Box{}, {0, 0});
   }
 
   struct Plane {
@@ -96,18 +143,20 @@ struct Builder {
   /// Bins of the same width along an axis.
   struct Grid {
     int axis;
-    double low, per_extent;
-    Grid(Box const& centres, int along)
-        : axis(along), low(centres.low()[along]), per_extent(bins / centres.extent()[along]) {}
+    float low, per_extent;
+    Grid(Extent const& extent, int along)
+        : axis(along),
+          low(extent.low[along]),
+          per_extent(static_cast<float>(bins) / (extent.high[along] - low)) {}
     /// Not where all centres are the same, or so near that the width of a bin has no inverse.
-    bool usable() const { return per_extent < infinite; }
+    bool usable() const { return per_extent < std::numeric_limits<float>::infinity(); }
     int operator()(BvhBox const& ref) const {
-      return std::min(bins - 1, static_cast<int>((ref.centre(axis) - low) * per_extent));
+      return std::min(bins - 1, static_cast<int>((ref.middle(axis) - low) * per_extent));
     }
   };
-  static int widest_axis(Box const& centres) {
-    Vec3 const wide = centres.extent();
-    return wide.x >= wide.y && wide.x >= wide.z ? 0 : (wide.y >= wide.z ? 1 : 2);
+  static int widest_axis(Extent const& extent) {
+    Four const wide = extent.high - extent.low;
+    return wide[0] >= wide[1] && wide[0] >= wide[2] ? 0 : (wide[1] >= wide[2] ? 1 : 2);
   }
 
   /// @param bin ascending in place; @param place their numbers: a plane lies behind each but the
@@ -117,14 +166,14 @@ struct Builder {
     Box grown;
     double number = 0;
     for (std::size_t b = bin.size() - 1; b > 0; --b) {
-      grown.grow(bin[b].box.side);
+      grown.grow(bin[b].box);
       number += bin[b].count;
       right_cost[b] = number > 0 ? grown.area() * number : infinite;
     }
     grown = {};
     number = 0;
     for (std::size_t b = 0; b + 1 < bin.size(); ++b) {
-      grown.grow(bin[b].box.side);
+      grown.grow(bin[b].box);
       number += bin[b].count;
       if (number == 0) continue;
       double const cost = grown.area() * number + right_cost[b + 1];
@@ -132,21 +181,21 @@ struct Builder {
     }
   }
 
-  Plane best_plane(std::uint32_t begin, std::uint32_t end, Box const& centres) const {
-    return end - begin <= few ? best_plane_of_few(begin, end, centres)
-                              : best_plane_of_many(begin, end, centres);
+  Plane best_plane(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
+    return end - begin <= few ? best_plane_of_few(begin, end, extent)
+                              : best_plane_of_many(begin, end, extent);
   }
 
-  Plane best_plane_of_many(std::uint32_t begin, std::uint32_t end, Box const& centres) const {
+  Plane best_plane_of_many(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
     static constexpr int every[bins] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     Plane best;
     for (int axis = 0; axis < 3; ++axis) {
-      Grid const grid(centres, axis);
+      Grid const grid(extent, axis);
       if (!grid.usable()) continue;
       std::array<Bin, bins> binned;
       for (std::uint32_t i = begin; i < end; ++i) {
         Bin& bin = binned[static_cast<std::size_t>(grid(refs[i]))];
-        bin.box.grow(refs[i].side);
+        bin.box.grow(Sides(refs[i]));
         ++bin.count;
       }
       better_plane(axis, binned, every, best);
@@ -155,10 +204,10 @@ struct Builder {
   }
 
   /// The same plane.
-  Plane best_plane_of_few(std::uint32_t begin, std::uint32_t end, Box const& centres) const {
+  Plane best_plane_of_few(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
     Plane best;
     for (int axis = 0; axis < 3; ++axis) {
-      Grid const grid(centres, axis);
+      Grid const grid(extent, axis);
       if (!grid.usable()) continue;
       std::array<int, few> at{};
       std::uint32_t filled = 0; // bins that have items, as bits
@@ -174,7 +223,7 @@ struct Builder {
       std::array<Bin, few> binned;
       for (std::uint32_t i = begin; i < end; ++i) {
         Bin& bin = binned[rank[static_cast<std::size_t>(at[i - begin])]];
-        bin.box.grow(refs[i].side);
+        bin.box.grow(Sides(refs[i]));
         ++bin.count;
       }
       better_plane(axis, {binned.data(), size}, place.data(), best);
@@ -183,9 +232,9 @@ struct Builder {
   }
 
   /// As std::partition, with what is known of both parts.
-  std::uint32_t part(std::uint32_t begin, std::uint32_t end, Plane const& plane, Box const& centres,
-                     Extent& left, Extent& right) {
-    Grid const grid(centres, plane.axis);
+  std::uint32_t part(std::uint32_t begin, std::uint32_t end, Plane const& plane,
+                     Extent const& extent, Extent& left, Extent& right) {
+    Grid const grid(extent, plane.axis);
     auto const is_left = [&](BvhBox const& ref) { return grid(ref) <= plane.bin; };
     std::uint32_t from = begin, to = end;
     for (;; ++from) {
@@ -199,24 +248,24 @@ struct Builder {
     }
   }
 
-  /// @return where the items were parted; `begin` to keep them in one leaf
+  /// @return where the items were parted; `begin` to keep them in one leaf, unless they `must` be
   std::uint32_t split(std::uint32_t begin, std::uint32_t end, int depth, Extent const& extent,
-                      Extent& left, Extent& right) {
-    Plane const plane = best_plane(begin, end, extent.centres);
+                      bool must, Extent& left, Extent& right) {
+    Plane const plane = best_plane(begin, end, extent);
     std::uint32_t const count = end - begin;
     double const area = extent.box.area();
     // A visit of a node costs about half of a test of an item.
     bool const worth = plane.axis >= 0 && plane.cost + 0.5 * area < area * count;
-    if (!worth && count <= 4 * leaf_size && runs == nullptr) return begin;
+    if (!worth && !must && count <= 4 * leaf_size && runs == nullptr) return begin;
     if (plane.axis >= 0 && depth < max_bvh_depth / 2) {
-      std::uint32_t const at = part(begin, end, plane, extent.centres, left, right);
+      std::uint32_t const at = part(begin, end, plane, extent, left, right);
       if (at != begin && at != end) return at;
     }
     // Equal centres, or a lopsided tree: halve by rank, so that the depth stays bounded.
-    int const axis = widest_axis(extent.centres);
+    int const axis = widest_axis(extent);
     auto const first = refs.begin() + begin, middle = first + count / 2;
     std::nth_element(first, middle, refs.begin() + end, [&](BvhBox const& a, BvhBox const& b) {
-      double const ca = a.centre(axis), cb = b.centre(axis);
+      float const ca = a.middle(axis), cb = b.middle(axis);
       return ca != cb ? ca < cb : a.item < b.item;
     });
     left = extent_of(begin, begin + count / 2);
@@ -227,27 +276,35 @@ struct Builder {
 
 } // namespace
 
-Bvh::Bvh(std::vector<BvhBox> boxes, std::uint32_t leaf_size) {
+Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_size)
+    : space_(space) {
   if (boxes.empty()) return;
   auto const count = static_cast<std::uint32_t>(boxes.size());
-  nodes_.reserve(2 * (count / std::max(leaf_size, 1U)) + 1);
+  nodes_.reserve(count);
   std::vector<Treelet> runs;
   if (count >= treelets_from) runs = make_treelets(boxes, treelet_size);
   Builder builder{std::move(boxes), leaf_size, nodes_};
-  if (runs.empty()) {
+  if (count == 1) {
+    builder.build_single();
+  } else if (runs.empty()) {
     builder.build(0, count, 0, builder.extent_of(0, count));
   } else {
     Builder above{{}, 1, nodes_, &runs, &builder};
     above.refs.reserve(runs.size());
     for (Treelet const& run : runs) {
       Box const box = builder.extent_of(run.begin, run.end).box;
-      above.refs.emplace_back(box.low(), box.high(), static_cast<std::uint32_t>(above.refs.size()));
+      BvhBox ref;
+      for (int i = 0; i < 6; ++i) ref.side[i] = box.side(i);
+      ref.item = static_cast<std::uint32_t>(above.refs.size());
+      above.refs.push_back(ref);
     }
     auto const number = static_cast<std::uint32_t>(runs.size());
     above.build(0, number, 0, above.extent_of(0, number));
   }
   items_.reserve(count);
   for (BvhBox const& box : builder.refs) items_.push_back(box.item);
+  builder.refs = {};
+  nodes_.shrink_to_fit();
 }
 
 } // namespace abbe::geometry

@@ -79,7 +79,7 @@ World::Impl::Kind World::Impl::first_single(Ray const& ray, Departure const* fro
                      return false;
                    });
   };
-  each_solid<BoxProbe>(ray, mask, 0.0, first.end, [&](SolidId id) {
+  each_solid<NodeProbe>(ray, mask, 0.0, first.end, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     if (solid.ends() == nullptr) {
@@ -149,7 +149,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   // Neighbouring rays meet the same.
   SolidId const last = scratch.last_occluder;
   if (last < impl_->solids.size() && !ask(last)) return true;
-  impl_->each_solid<BoxProbe>(ray, mask, 0.0, t_max,
+  impl_->each_solid<NodeProbe>(ray, mask, 0.0, t_max,
                               [&](SolidId id) { return id == last || ask(id); });
   if (!found) scratch.last_occluder = no_solid;
   return found;

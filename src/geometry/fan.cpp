@@ -156,7 +156,7 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
   double farthest = nearest.farthest(rays.count);
   FanExtents const extents = native.extents(rays);
   std::optional<FanProbe> operand_probe; // what is at the start by its error must not be left out
-  each_solid<FanProbe>(extents, mask, 0.0, farthest, [&](SolidId id) {
+  each_solid<FanNodeProbe>(extents, mask, 0.0, farthest, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     if (EndsKernel const* const shape = solid.ends()) {

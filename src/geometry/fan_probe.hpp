@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/bvh.hpp"
+#include "geometry/box_probe.hpp"
 #include "geometry/fan.hpp"
 #include "geometry/lane.hpp"
 
@@ -54,8 +54,7 @@ public:
               axis(of.origin[2], of.direction[2])} {}
 
   /// As BoxProbe::enter, of the first of the rays.
-  template <class V>
-  bool enter(V const& low, V const& high, double from, double to, double& entry) const {
+  bool enter(Vec3 const& low, Vec3 const& high, double from, double to, double& entry) const {
     constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
     for (int i = 0; i < 3; ++i) {
       Axis const& axis = axes_[i];
@@ -94,6 +93,59 @@ private:
             1.0 / slowest,
             slowest > 0 && 1.0 / slowest < std::numeric_limits<double>::infinity(),
             falling};
+  }
+  Axis axes_[3];
+};
+
+/// FanProbe for the boxes of a hierarchy, as NodeProbe is BoxProbe.
+class FanNodeProbe {
+public:
+  using Single = FanProbe;
+
+  FanNodeProbe(FanExtents const& of, BvhSpace const& space)
+      : axes_{axis(of.origin[0], of.direction[0], space, 0),
+              axis(of.origin[1], of.direction[1], space, 1),
+              axis(of.origin[2], of.direction[2], space, 2)} {}
+
+  /// As BoxProbe::enter, of the first of the rays.
+  unsigned enter(BvhNode const& node, double from, double to, double (&entry)[2]) const {
+    BoxPair in = same(from), out = same(to);
+    for (Axis const& axis : axes_) {
+      BoxPair const first = axis.sides.near_planes(node) - axis.near;
+      BoxPair const last = axis.sides.far_planes(node) - axis.far;
+      // By the fastest ray where it lies ahead, by the slowest where it lies behind.
+      in = most(least(first * axis.slowest, first * axis.fastest), in);
+      out = least(most(last * axis.slowest, last * axis.fastest), out);
+    }
+    std::memcpy(entry, &in, sizeof in);
+    return met_boxes(in, out);
+  }
+
+private:
+  struct Axis {
+    BoxPair near, far;        ///< of the rays: from which boxes seem nearest, farthest
+    BoxPair fastest, slowest; ///< 1 / direction, with room for roundings; NaN: not tested
+    BoxSides sides;
+  };
+
+  static Axis axis(FanExtents::Range const& origin, FanExtents::Range const& direction,
+                   BvhSpace const& space, int i) {
+    constexpr double wide = 1 + 2 * gamma_bound(4), tight = 1 - 2 * gamma_bound(4);
+    bool const falling = direction.largest < 0;
+    // As seen along the way: near counts from the origin that is farthest on.
+    double const front = falling ? origin.least : origin.largest;
+    double const back = falling ? origin.largest : origin.least;
+    double fastest = space.unit / (falling ? direction.least : direction.largest) * tight;
+    double slowest = space.unit / (falling ? direction.largest : direction.least) * wide;
+    BoxOrigin const ahead((front - space.centre[i]) * space.per_unit, fastest);
+    BoxOrigin const behind((back - space.centre[i]) * space.per_unit, fastest);
+    bool const tested = (falling || direction.least > 0)
+                        && std::fabs(fastest) >= BoxRange::smallest_inverse
+                        && std::fabs(slowest) <= BoxRange::largest_inverse
+                        && std::fabs(ahead.near) + std::fabs(behind.far) <= BoxRange::farthest;
+    if (!tested) fastest = slowest = std::numeric_limits<double>::quiet_NaN();
+    return {same(ahead.near), same(behind.far), same(fastest), same(slowest),
+            BoxSides(static_cast<std::size_t>(i), falling)};
   }
   Axis axes_[3];
 };

@@ -120,7 +120,8 @@ TracedSolid::make_tree(CsgTree const& source, std::vector<Placed> const& primiti
     tree->carriers = std::move(*carriers);
     for (std::uint32_t const operand : tree->carriers) tree->traits[operand] |= carrier;
   }
-  std::vector<BvhBox> boxes;
+  BvhSpaceFinder finder;
+  std::vector<std::uint32_t> finite;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
     Bounds const bounds = primitives[operands[i]].bounds();
     if (bounds.infinite && primitives[operands[i]].shape().solid()) {
@@ -130,11 +131,18 @@ TracedSolid::make_tree(CsgTree const& source, std::vector<Placed> const& primiti
     if (!many || bounds.infinite) {
       if ((tree->traits[i] & carrier) == 0) tree->always.push_back(i);
     } else if (!bounds.empty()) {
-      boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(tree->finite.size())});
-      tree->finite.push_back(i);
+      finder.add(bounds.low, bounds.high);
+      finite.push_back(i);
     }
   }
-  tree->operand_bvh = Bvh(std::move(boxes));
+  BvhSpace const space = finder.space();
+  std::vector<BvhBox> boxes;
+  boxes.reserve(finite.size());
+  for (std::uint32_t const i : finite) {
+    Bounds const bounds = primitives[operands[i]].bounds();
+    boxes.push_back(space.box(bounds.low, bounds.high, i));
+  }
+  tree->operand_bvh = Bvh(space, std::move(boxes));
   tree->merge = many && tree->always.empty() && merges_primitives(source);
   return tree;
 }
@@ -163,15 +171,12 @@ bool TracedSolid::gather_operands(Query const& query, bool all) const {
     if (!all && query.scratch.events.empty()) return false;
   }
   for (std::uint32_t const operand : tree_->always) gather_operand(query, operand, all);
-  if (tree_->finite.empty()) return true;
+  if (tree_->operand_bvh.nodes().empty()) return true;
   // Behind the start, an operand's crossings leave it outside: as if there were none.
   double const to = all ? everywhere : query.until;
-  walk(std::span<BvhNode const>(tree_->operand_bvh.nodes()),
-       std::span<std::uint32_t const>(tree_->operand_bvh.items()),
-       BoxProbe(query.ray, query.ray.origin_error), all ? -everywhere : 0.0, to,
-       [&](std::uint32_t item) {
-         if ((tree_->traits[tree_->finite[item]] & carrier) == 0)
-           gather_operand(query, tree_->finite[item], all);
+  walk(tree_->operand_bvh, NodeProbe(query.ray, tree_->operand_bvh.space(), query.ray.origin_error),
+       all ? -everywhere : 0.0, to, [&](std::uint32_t operand) {
+         if ((tree_->traits[operand] & carrier) == 0) gather_operand(query, operand, all);
          return true;
        });
   return true;
@@ -204,10 +209,8 @@ bool TracedSolid::gather_nearest(Query const& query, double& to) const {
   };
   double const start = 0;
   if (to > query.until) to = query.until;
-  walk(std::span<BvhNode const>(tree_->operand_bvh.nodes()),
-       std::span<std::uint32_t const>(tree_->operand_bvh.items()),
-       BoxProbe(query.ray, query.ray.origin_error), start, to,
-       [&](std::uint32_t item) { return take(tree_->finite[item]); });
+  walk(tree_->operand_bvh, NodeProbe(query.ray, tree_->operand_bvh.space(), query.ray.origin_error),
+       start, to, take);
   return !inside;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/bvh.hpp"
+#include "geometry/box_probe.hpp"
 #include "geometry/convex_cut.hpp"
 #include "geometry/lane_tree.hpp"
 #include "geometry/line_query.hpp"
@@ -102,7 +102,6 @@ private:
     std::unique_ptr<LaneTree const> lanes; ///< else, when of its kind
     bool merge = false;                    ///< of primitives alone, and with a hierarchy
     Bvh operand_bvh;                       ///< over finite operands when there are many
-    std::vector<std::uint32_t> finite;     ///< item of operand_bvh -> operand
     std::vector<std::uint32_t> always;     ///< operands tested for each ray, but carriers
     /// Bounded operands outside of all of which the line is outside of the solid; none when there
     /// are no such or many. They come first: where they have no crossing, nothing has.

@@ -31,7 +31,7 @@ struct Space {
   Vec3 low{std::numeric_limits<double>::infinity()}, high{-low}, scale{0};
   explicit Space(std::vector<BvhBox> const& boxes) {
     for (BvhBox const& box : boxes) {
-      Vec3 const c = box.centre();
+      Vec3 const c(box.middle(0), box.middle(1), box.middle(2));
       low = glm::min(low, c);
       high = glm::max(high, c);
     }
@@ -43,7 +43,8 @@ struct Space {
   std::uint64_t code(BvhBox const& box) const {
     std::uint64_t code = 0;
     for (int i = 0; i < 3; ++i) {
-      auto const cell = std::min(cells - 1, (box.centre(i) - low[i]) * scale[i]);
+      auto const cell =
+          std::min(cells - 1, (static_cast<double>(box.middle(i)) - low[i]) * scale[i]);
       code |= spread(static_cast<std::uint64_t>(cell)) << i;
     }
     return code;
@@ -67,7 +68,10 @@ void sort(std::vector<Key>& keys) {
 }
 
 double half_area(BvhBox const& box) {
-  Vec3 const d(-box.side[3] - box.side[0], -box.side[4] - box.side[1], -box.side[5] - box.side[2]);
+  auto const extent = [&box](int axis) {
+    return -static_cast<double>(box.side[axis + 3]) - static_cast<double>(box.side[axis]);
+  };
+  Vec3 const d(extent(0), extent(1), extent(2));
   return d.x * d.y + d.y * d.z + d.z * d.x;
 }
 

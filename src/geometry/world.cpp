@@ -93,7 +93,7 @@ bool World::Impl::first_group(Ray const& ray, Departure const* from, std::uint8_
   double best = everywhere, best_end = t_max;
   double begin = everywhere; // of the first candidate's error interval
   std::size_t nearest = 0;
-  each_solid<BoxProbe>(ray, mask, 0.0, best_end, [&](SolidId id) {
+  each_solid<NodeProbe>(ray, mask, 0.0, best_end, [&](SolidId id) {
     TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     solid.passages(
@@ -181,7 +181,7 @@ void World::containing(Vec3 const& point, Scratch& scratch, std::vector<SolidId>
   // Along no axis, diagonal or edge that a scene is likely to have.
   Ray const ray{point, Vec3(0.3713906763541037, 0.5570860145311556, 0.7427813527082074), Vec3(0)};
   double const here = 0.0;
-  impl_->each_solid<BoxProbe>(ray, 0xff, 0.0, here, [&](SolidId id) {
+  impl_->each_solid<NodeProbe>(ray, 0xff, 0.0, here, [&](SolidId id) {
     double entry = -everywhere;
     bool any = false, inside = false;
     bool const before = impl_->solids[id].passages(impl_->query(id, ray, nullptr, scratch), true,

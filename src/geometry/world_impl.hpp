@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/box_probe.hpp"
 #include "geometry/contact.hpp"
 #include "geometry/traced_solid.hpp"
 
@@ -27,8 +28,7 @@ struct World::Impl {
   struct Group {
     std::uint8_t mask = 0xff;
     std::vector<SolidId> infinite;
-    std::vector<SolidId> finite; ///< item of bvh -> solid
-    Bvh bvh;
+    Bvh bvh; ///< of the others
   };
   Group all;
   std::vector<Group> some; ///< those of bits that at most half of the solids have
@@ -36,18 +36,30 @@ struct World::Impl {
   Group make_group(std::uint8_t mask) const {
     Group group;
     group.mask = mask;
-    std::vector<BvhBox> boxes;
-    for (SolidId id = 0; id < solids.size(); ++id) {
-      Bounds const& bounds = solids[id].bounds();
-      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
-      if (bounds.infinite) {
-        group.infinite.push_back(id);
-      } else if (!bounds.empty()) {
-        boxes.push_back({bounds.low, bounds.high, static_cast<std::uint32_t>(group.finite.size())});
-        group.finite.push_back(id);
+    BvhSpaceFinder finder;
+    std::size_t finite = 0;
+    auto const each_finite = [&](auto const& visit) {
+      for (SolidId id = 0; id < solids.size(); ++id) {
+        Bounds const& bounds = solids[id].bounds();
+        bool const has = mask == 0xff || (solids[id].mask() & mask) != 0;
+        if (has && !bounds.infinite && !bounds.empty()) visit(id, bounds);
       }
+    };
+    each_finite([&](SolidId, Bounds const& bounds) {
+      finder.add(bounds.low, bounds.high);
+      ++finite;
+    });
+    for (SolidId id = 0; id < solids.size(); ++id) {
+      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
+      if (solids[id].bounds().infinite) group.infinite.push_back(id);
     }
-    group.bvh = Bvh(std::move(boxes));
+    std::vector<BvhBox> boxes;
+    boxes.reserve(finite);
+    BvhSpace const space = finder.space();
+    each_finite([&](SolidId id, Bounds const& bounds) {
+      boxes.push_back(space.box(bounds.low, bounds.high, id));
+    });
+    group.bvh = Bvh(space, std::move(boxes));
     return group;
   }
   Group const& group(std::uint8_t mask) const {
@@ -96,13 +108,18 @@ struct World::Impl {
                   Visit&& visit) const {
     Group const& group = this->group(mask);
     bool goes_on = true;
-    if (!group.finite.empty()) {
-      walk(std::span<BvhNode const>(group.bvh.nodes()),
-           std::span<std::uint32_t const>(group.bvh.items()), Probe(rays), low, high,
-           [&](std::uint32_t item) {
-             goes_on = visit(group.finite[item]);
-             return goes_on;
-           });
+    if (group.bvh.items().size() == 1) { // most small scenes have a plane and a solid
+      SolidId const id = group.bvh.items().front();
+      Bounds const& bounds = solids[id].bounds();
+      double entry = 0;
+      if (typename Probe::Single(rays).enter(bounds.low, bounds.high, low, high, entry)) {
+        goes_on = visit(id);
+      }
+    } else if (!group.bvh.nodes().empty()) {
+      walk(group.bvh, Probe(rays, group.bvh.space()), low, high, [&](SolidId id) {
+        goes_on = visit(id);
+        return goes_on;
+      });
     }
     for (std::size_t i = 0; goes_on && i < group.infinite.size(); ++i) {
       goes_on = visit(group.infinite[i]);

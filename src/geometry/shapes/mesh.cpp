@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/mesh.hpp"
 
+#include "geometry/box_probe.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -17,14 +18,6 @@ namespace {
 /// below the precision of the boxes' floats.
 constexpr double box_slack = 0x1p-40;
 
-float rounded_down(double x) {
-  auto const near = static_cast<float>(x);
-  return near <= x ? near : std::nextafter(near, -std::numeric_limits<float>::infinity());
-}
-float rounded_up(double x) {
-  return -rounded_down(-x);
-}
-
 } // namespace
 
 template <class T>
@@ -37,45 +30,43 @@ void Mesh::permute(std::vector<T>& items, std::vector<std::uint32_t> const& orde
 }
 
 Mesh::Mesh(MeshData data) : data_(std::move(data)) {
+  auto const corner = [this](Corners const& face, std::size_t i) {
+    return data_.vertices[face[i]];
+  };
+  auto const low = [&](Corners const& face) {
+    return glm::min(corner(face, 0), glm::min(corner(face, 1), corner(face, 2))) - box_slack;
+  };
+  auto const high = [&](Corners const& face) {
+    return glm::max(corner(face, 0), glm::max(corner(face, 1), corner(face, 2))) + box_slack;
+  };
+  BvhSpaceFinder finder;
+  for (Corners const& face : data_.faces) finder.add(low(face), high(face));
+  bounds_ = finder.hull();
+  BvhSpace const space = finder.space();
   std::vector<BvhBox> boxes;
   boxes.reserve(data_.faces.size());
   for (Corners const& face : data_.faces) {
-    Vec3 const& a = data_.vertices[face[0]];
-    Vec3 const& b = data_.vertices[face[1]];
-    Vec3 const& c = data_.vertices[face[2]];
-    boxes.push_back({glm::min(a, glm::min(b, c)) - box_slack,
-                     glm::max(a, glm::max(b, c)) + box_slack,
-                     static_cast<std::uint32_t>(boxes.size())});
+    boxes.push_back(space.box(low(face), high(face), static_cast<std::uint32_t>(boxes.size())));
   }
-  Bvh const bvh(std::move(boxes), 4);
-  permute(data_.faces, bvh.items());
-  permute(data_.normal_corners, bvh.items());
-  permute(data_.uv_corners, bvh.items());
-  permute(data_.textures, bvh.items());
-  nodes_.reserve(bvh.nodes().size());
-  for (BvhNode const& node : bvh.nodes()) {
-    Node small{{}, {}, node.first, node.count};
-    for (int i = 0; i < 3; ++i) {
-      small.low[static_cast<std::size_t>(i)] = rounded_down(node.low[i]);
-      small.high[static_cast<std::size_t>(i)] = rounded_up(node.high[i]);
-    }
-    nodes_.push_back(small);
-  }
-  if (!bvh.nodes().empty()) bounds_ = {bvh.nodes()[0].low, bvh.nodes()[0].high, false};
+  bvh_ = Bvh(space, std::move(boxes), 4);
+  std::vector<std::uint32_t> const order = bvh_.take_items();
+  permute(data_.faces, order);
+  permute(data_.normal_corners, order);
+  permute(data_.uv_corners, order);
+  permute(data_.textures, order);
 }
 
 template <class Visit>
 void Mesh::each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const {
   // The hierarchy sees exactly the line that the triangles see.
-  BoxProbe const probe(Ray{line.point, line.direction, Vec3(0)});
-  walk(std::span<Node const>(nodes_), std::span<std::uint32_t const>(), probe, from, to,
-       [&](std::uint32_t face) {
-         Corners const& f = data_.faces[face];
-         auto const hit =
-             hit_triangle(line, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
-         if (hit) visit(face, *hit);
-         return true;
-       });
+  NodeProbe const probe(Ray{line.point, line.direction, Vec3(0)}, bvh_.space());
+  walk(bvh_, probe, from, to, [&](std::uint32_t face) {
+    Corners const& f = data_.faces[face];
+    auto const hit =
+        hit_triangle(line, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
+    if (hit) visit(face, *hit);
+    return true;
+  });
 }
 
 void Mesh::crossings(Ray const& ray, Start const* start, Crossings& out) const {
@@ -205,7 +196,7 @@ std::size_t Mesh::memory() const {
   auto const bytes = [](auto const& v) { return v.capacity() * sizeof(v[0]); };
   return sizeof(*this) + bytes(data_.vertices) + bytes(data_.faces) + bytes(data_.normals)
          + bytes(data_.normal_corners) + bytes(data_.uv) + bytes(data_.uv_corners)
-         + bytes(data_.textures) + bytes(nodes_);
+         + bytes(data_.textures) + bytes(bvh_.nodes());
 }
 
 namespace {

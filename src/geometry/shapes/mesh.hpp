@@ -58,10 +58,6 @@ public:
   bool closed() const;
 
 private:
-  struct Node {
-    std::array<float, 3> low, high;
-    std::uint32_t first, count;
-  };
   template <class T>
   static void permute(std::vector<T>& items, std::vector<std::uint32_t> const& order);
   template <class Visit>
@@ -69,7 +65,7 @@ private:
   Vec3 weights(Vec3 const& point, std::uint32_t face) const;
 
   MeshData data_;
-  std::vector<Node> nodes_;
+  Bvh bvh_; ///< its items are the faces as they stand
   Bounds bounds_;
 };
 
