@@ -82,16 +82,11 @@ public:
   }
 
 private:
-  struct WrongPixel {
-    PixelSampler::Wrong wrong;
-    int x, y;
-  };
-
   bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
   /// In the whole picture.
-  std::size_t number(int x, int y) const {
-    return static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(width())
-           + static_cast<std::size_t>(x - region_.x0);
+  std::size_t number(Pixel const& pixel) const {
+    return static_cast<std::size_t>(pixel.y - region_.y0) * static_cast<std::size_t>(width())
+           + static_cast<std::size_t>(pixel.x - region_.x0);
   }
   int width() const { return region_.x1 - region_.x0; }
 
@@ -172,8 +167,8 @@ private:
            + static_cast<std::size_t>(x - region_.x0);
   }
 
-  void put(Strip& strip, int x, int y, Sampled const& sampled) const {
-    auto const at = index(strip, x, y);
+  void put(Strip& strip, Pixel const& pixel, Sampled const& sampled) const {
+    auto const at = index(strip, pixel.x, pixel.y);
     for (int c = 0; c < 3; ++c)
       strip.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
     for (std::size_t c = 0; c < sampled.bands.size(); ++c)
@@ -185,17 +180,15 @@ private:
     Strip strip = make_strip(tile0);
     if (grid_alone()) return strip;
     bool const subdivide = options_.anti_aliasing.method == 2;
-    for_each_tile(strip, 0, [&](PixelSampler& sampler, int x, int y, int count) {
-      if (subdivide) {
-        put(strip, x, y, sampler.subdivided(x, y));
-        return 1;
-      }
-      Sampled sampled[geometry::fan_width];
-      count = std::min(count, static_cast<int>(geometry::fan_width));
-      sampler.centres(x, y, static_cast<std::size_t>(count), sampled);
-      for (int k = 0; k < count; ++k) put(strip, x + k, y, sampled[k]);
-      return count;
-    });
+    auto const all = [](int, int) { return true; };
+    std::size_t const most = subdivide ? 1 : geometry::fan_width;
+    for_each_tile(strip, 0, most, all,
+                  [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
+                    if (subdivide)
+                      *out = sampler.subdivided(pixels[0]);
+                    else
+                      sampler.centres(pixels, out);
+                  });
     return strip;
   }
 
@@ -215,54 +208,50 @@ private:
   std::size_t row_floats() const { return 3 * static_cast<std::size_t>(width()); }
 
   void refine(Strip& strip) {
-    bool const middle_counts = options_.anti_aliasing.middle_counts;
-    Sampled nothing;
-    if (options_.spectral_output) nothing.bands.resize(stage_.film_bands());
-    double const samples = options_.anti_aliasing.depth * options_.anti_aliasing.depth;
-    for_each_tile(strip, 1, [&](PixelSampler& sampler, int x, int y, int) {
-      if (!strip.marks[index(strip, x, y)]) return 1;
-      Sampled again = sampler.refined(x, y, middle_counts ? sampler.centre(x, y) : nothing);
-      if (!middle_counts) again.scale((samples + 1) / samples); // the mean is of one more
-      put(strip, x, y, again);
-      return 1;
-    });
+    bool const middle = options_.anti_aliasing.middle_counts;
+    auto const depth = static_cast<std::size_t>(options_.anti_aliasing.depth);
+    // Some fans at once: few are not full.
+    std::size_t const most = std::max<std::size_t>(1, 8 * geometry::fan_width / (depth * depth));
+    auto const marked = [&](int x, int y) { return strip.marks[index(strip, x, y)] != 0; };
+    for_each_tile(strip, 1, most, marked,
+                  [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
+                    sampler.refined(pixels, middle, out);
+                  });
   }
 
-  struct Box {
-    int x0, y0, x1, y1;
-  };
-
-  /// @param work (sampler, x, y, count): makes some of the next `count` pixels of a row, and says
-  /// how many
-  template <class Work>
-  void for_each_tile(Strip& strip, std::uint32_t phase, Work const& work) {
+  /// @param most pixels at a time
+  /// @param wanted (x, y): is the pixel to be made?
+  /// @param work (sampler, pixels, out): makes them
+  template <class Wanted, class Work>
+  void for_each_tile(Strip& strip, std::uint32_t phase, std::size_t most, Wanted const& wanted,
+                     Work const& work) {
+    // Rays of pixels that are made together cannot be told apart.
+    if (options_.rays_of_pixels) most = 1;
     auto const make = [&](int tile) {
       if (stopped() || refused_.load(std::memory_order_relaxed)) return;
-      Box box{region_.x0 + tile % across_ * size_.across, region_.y0 + tile / across_ * size_.down,
-              0, 0};
-      box.x1 = std::min(box.x0 + size_.across, region_.x1);
-      box.y1 = std::min(box.y0 + size_.down, region_.y1);
+      Box const box = box_of(tile);
       if (!options_.checkpoint || !take(strip, box, phase, tile)) {
         Tracer& tracer = tracers_.local();
         PixelSampler sampler(stage_, options_, tracer);
         RayCounts const before = tracer.counts();
         CutLight const cut_before = tracer.cut_light();
-        for (int y = box.y0; y < box.y1; ++y) {
-          if (stopped()) return;
-          for (int x = box.x0; x < box.x1;) {
-            if (number(x, y) > first_wrong_.load(std::memory_order_relaxed)) return;
-            std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
-            // Rays of pixels that are made together cannot be told apart.
-            int const made = work(sampler, x, y, options_.rays_of_pixels ? 1 : box.x1 - x);
-            if (options_.rays_of_pixels)
-              (*options_.rays_of_pixels)[number(x, y)] +=
-                  static_cast<float>(tracer.counts().total() - rays);
-            // Of several pixels' centres, the one in whose middle it is.
-            if (sampler.wrong())
-              return keep(*sampler.wrong(), made > 1 ? static_cast<int>(sampler.wrong()->x) : x, y);
-            x += made;
-          }
-        }
+        std::vector<Sampled> sampled(most);
+        bool whole = true;
+        for_each_group(box, most, wanted, [&](std::span<Pixel const> pixels) {
+          if (stopped()) return whole = false;
+          std::size_t const wrong = first_wrong_.load(std::memory_order_relaxed);
+          auto const behind = [&](Pixel const& pixel) { return number(pixel) > wrong; };
+          if (wrong != none && std::all_of(pixels.begin(), pixels.end(), behind)) return true;
+          std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
+          work(sampler, pixels, sampled.data());
+          if (options_.rays_of_pixels)
+            (*options_.rays_of_pixels)[number(pixels[0])] +=
+                static_cast<float>(tracer.counts().total() - rays);
+          if (sampler.wrong()) keep(*sampler.wrong());
+          for (std::size_t k = 0; k < pixels.size(); ++k) put(strip, pixels[k], sampled[k]);
+          return true;
+        });
+        if (!whole || first_wrong_ != none) return;
         rays_ += tracer.counts().total() - before.total();
         if (options_.checkpoint) keep(strip, box, phase, tile, tracer, before, cut_before);
       }
@@ -274,6 +263,12 @@ private:
     for_each_in_order(first, last, cores, make, [&](int tile) {
       if ((tile + 1) % across_ == 0) hand_on(strip, tile / across_);
     });
+  }
+
+  Box box_of(int tile) const {
+    int const x0 = region_.x0 + tile % across_ * size_.across;
+    int const y0 = region_.y0 + tile / across_ * size_.down;
+    return {x0, y0, std::min(x0 + size_.across, region_.x1), std::min(y0 + size_.down, region_.y1)};
   }
 
   /// Calls work(array, first, count) for each row of a tile in each array of floats.
@@ -320,16 +315,15 @@ private:
   }
 
   /// The first in rows stays, whatever the order in which they were found.
-  void keep(PixelSampler::Wrong const& wrong, int x, int y) {
+  void keep(PixelSampler::Wrong const& wrong) {
     std::lock_guard const lock(wrong_mutex_);
-    if (wrong_ && number(x, y) > first_wrong_) return;
-    first_wrong_ = number(x, y);
-    wrong_ = {wrong, x, y};
+    if (wrong_ && number(wrong.pixel) > first_wrong_) return;
+    first_wrong_ = number(wrong.pixel);
+    wrong_ = wrong;
   }
 
   /// Traces the sample again, with a record of its path.
-  BadSample look_into(WrongPixel const& found) const {
-    auto const& [wrong, x, y] = found;
+  BadSample look_into(PixelSampler::Wrong const& wrong) const {
     Tracer tracer = make_tracer();
     PathRecorder recorder(stage_, negative_light_is_wrong(stage_));
     tracer.record(recorder);
@@ -337,7 +331,7 @@ private:
     std::vector<double> bands(options_.spectral_output ? stage_.film_bands() : 0);
     tracer.sample(ray, wrong.key, bands);
     recorder.end(tracer);
-    return {wrong.kind, x, y, wrong.key.number, wrong.rgb, recorder.path()};
+    return {wrong.kind, wrong.pixel.x, wrong.pixel.y, wrong.key.number, wrong.rgb, recorder.path()};
   }
 
   void report(std::uint32_t phase) {
@@ -371,7 +365,7 @@ private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::atomic<std::size_t> first_wrong_{none};
   std::atomic<bool> refused_{false}; ///< rows: nobody wants more
-  std::optional<WrongPixel> wrong_;
+  std::optional<PixelSampler::Wrong> wrong_;
 };
 
 /// Fewer tiles than this leave threads idle at the end, or from the beginning.

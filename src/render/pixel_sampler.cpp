@@ -28,15 +28,19 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
 
 Sampled PixelSampler::at(Spot const& spot) {
-  auto const& [x, y, key] = spot;
   Sampled out;
   if (options_.spectral_output) out.bands.resize(stage_.film_bands());
-  auto const ray = camera_ray(stage_.camera, x, y, options_.width, options_.height);
-  out.rgb = tracer_.sample(ray, key, out.bands);
-  if (options_.check_finite && !wrong_)
-    if (auto const kind = tracer_.wrong(0, out.rgb, negative_is_wrong_))
-      wrong_ = Wrong{*kind, x, y, key, out.rgb};
+  auto const ray = camera_ray(stage_.camera, spot.x, spot.y, options_.width, options_.height);
+  out.rgb = tracer_.sample(ray, spot.key, out.bands);
+  if (options_.check_finite) check(spot, 0, out.rgb);
   return out;
+}
+
+void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
+  auto const row_of = [](Pixel const& pixel) { return std::pair(pixel.y, pixel.x); };
+  if (wrong_ && row_of(wrong_->pixel) <= row_of(spot.pixel)) return;
+  if (auto const kind = tracer_.wrong(place, rgb, negative_is_wrong_))
+    wrong_ = Wrong{*kind, spot.pixel, spot.x, spot.y, spot.key, rgb};
 }
 
 void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* out) {
@@ -56,9 +60,7 @@ void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* ou
   for (std::size_t k = 0; k < count; ++k) {
     out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
     out[k].rgb = tracer_.light_of(k, out[k].bands);
-    if (options_.check_finite && !wrong_)
-      if (auto const kind = tracer_.wrong(k, out[k].rgb, negative_is_wrong_))
-        wrong_ = Wrong{*kind, spots[k].x, spots[k].y, spots[k].key, out[k].rgb};
+    if (options_.check_finite) check(spots[k], k, out[k].rgb);
   }
 }
 
@@ -73,35 +75,33 @@ void PixelSampler::at_all(Spot const* spots, std::size_t count, Sampled* out) {
   }
 }
 
-RandomKey PixelSampler::key_of(int x, int y) const {
-  return frame_key_.child(static_cast<std::uint64_t>(y)).child(static_cast<std::uint64_t>(x));
+RandomKey PixelSampler::key_of(Pixel const& pixel) const {
+  return frame_key_.child(static_cast<std::uint64_t>(pixel.y))
+      .child(static_cast<std::uint64_t>(pixel.x));
 }
 
-PixelSampler::Spot PixelSampler::spot(double x, double y, RandomKey pixel, std::uint64_t number) {
+PixelSampler::Spot PixelSampler::spot(double x, double y, RandomKey key, std::uint64_t number,
+                                      Pixel const& pixel) const {
   return {x, y,
-          SampleKey{pixel, number, static_cast<std::int64_t>(std::floor(x)),
-                    static_cast<std::int64_t>(std::floor(y)), frame_key_}};
+          SampleKey{key, number, static_cast<std::int64_t>(std::floor(x)),
+                    static_cast<std::int64_t>(std::floor(y)), frame_key_},
+          pixel};
 }
 
-Sampled PixelSampler::centre(int x, int y) {
-  return at(spot(x + 0.5, y + 0.5, key_of(x, y), 0));
+PixelSampler::Spot PixelSampler::centre(Pixel const& pixel) const {
+  return spot(pixel.x + 0.5, pixel.y + 0.5, key_of(pixel), 0, pixel);
 }
 
-void PixelSampler::centres(int x, int y, std::size_t count, Sampled* out) {
-  Spot spots[geometry::fan_width];
-  ABBE_ASSERT(count <= geometry::fan_width);
-  for (std::size_t k = 0; k < count; ++k) {
-    int const at = x + static_cast<int>(k);
-    spots[k] = spot(at + 0.5, y + 0.5, key_of(at, y), 0);
-  }
-  at_all(spots, count, out);
+void PixelSampler::centres(std::span<Pixel const> pixels, Sampled* out) {
+  spots_.clear();
+  for (Pixel const& pixel : pixels) spots_.push_back(centre(pixel));
+  at_all(spots_.data(), spots_.size(), out);
 }
 
-Sampled PixelSampler::refined(int x, int y, Sampled const& centre) {
-  auto const key = key_of(x, y);
+void PixelSampler::add_grid(Pixel const& pixel) {
+  auto const key = key_of(pixel);
   int const n = options_.anti_aliasing.depth;
   double const jitter = options_.anti_aliasing.jitter;
-  spots_.clear();
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       auto const index = static_cast<std::uint64_t>(j * n + i + 1);
@@ -111,21 +111,34 @@ Sampled PixelSampler::refined(int x, int y, Sampled const& centre) {
         dx += jitter * (sub.uniform(0) - 0.5);
         dy += jitter * (sub.uniform(1) - 0.5);
       }
-      spots_.push_back(spot(x + (i + dx) / n, y + (j + dy) / n, key, index));
+      spots_.push_back(spot(pixel.x + (i + dx) / n, pixel.y + (j + dy) / n, key, index, pixel));
     }
+}
+
+void PixelSampler::refined(std::span<Pixel const> pixels, bool middle, Sampled* out) {
+  spots_.clear();
+  for (Pixel const& pixel : pixels) {
+    if (middle) spots_.push_back(centre(pixel));
+    add_grid(pixel);
+  }
   taken_.resize(spots_.size());
   at_all(spots_.data(), spots_.size(), taken_.data());
-  Sampled sum = centre;
-  for (Sampled const& sampled : taken_) sum.add(sampled);
-  sum.scale(1.0 / (n * n + 1));
-  return sum;
+  std::size_t const each = spots_.size() / pixels.size();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    Sampled& sum = out[i];
+    sum.rgb = Vec3(0);
+    sum.bands.assign(taken_[i * each].bands.size(), 0.0);
+    for (std::size_t k = 0; k < each; ++k) sum.add(taken_[i * each + k]);
+    sum.scale(1.0 / static_cast<double>(each));
+  }
 }
 
 Sampled PixelSampler::corner(std::int64_t x, std::int64_t y) {
   auto const key = frame_key_.child(static_cast<std::uint64_t>(y) + 0x100000000ULL)
                        .child(static_cast<std::uint64_t>(x));
   auto const scale = static_cast<double>(grid_);
-  return at(spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0));
+  return at(
+      spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0, subdivided_));
 }
 
 Sampled PixelSampler::cell(std::int64_t x, std::int64_t y, std::int64_t size,
@@ -150,8 +163,9 @@ Sampled PixelSampler::cell(std::int64_t x, std::int64_t y, std::int64_t size,
   return sum;
 }
 
-Sampled PixelSampler::subdivided(int x, int y) {
-  std::int64_t const left = x * grid_, top = y * grid_;
+Sampled PixelSampler::subdivided(Pixel const& pixel) {
+  subdivided_ = pixel;
+  std::int64_t const left = pixel.x * grid_, top = pixel.y * grid_;
   return cell(left, top, grid_,
               {corner(left, top), corner(left + grid_, top), corner(left, top + grid_),
                corner(left + grid_, top + grid_)});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/pixel_order.hpp"
 #include "render/render.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace abbe::render {
@@ -22,22 +25,23 @@ class PixelSampler {
 public:
   PixelSampler(Stage const& stage, RenderOptions const& options, Tracer& tracer);
 
-  /// One ray through the middle of the pixel.
-  Sampled centre(int x, int y);
-  /// The same for `count` pixels of a row, traced together where that can be.
-  void centres(int x, int y, std::size_t count, Sampled* out);
-  /// Method 1: the grid of a pixel whose centre sample differs from a neighbour's, averaged with
-  /// it.
-  Sampled refined(int x, int y, Sampled const& centre);
+  /// One ray through the middle of each pixel, traced together where that can be. @param out one a
+  /// pixel
+  void centres(std::span<Pixel const> pixels, Sampled* out);
+  /// Method 1: the mean of the grid of each pixel, and of its middle. @param middle false: of the
+  /// grid alone
+  void refined(std::span<Pixel const> pixels, bool middle, Sampled* out);
   /// Method 2: the pixel from its corners, subdivided where they differ.
-  Sampled subdivided(int x, int y);
+  Sampled subdivided(Pixel const& pixel);
 
   /// Do two samples differ by more than the threshold, as the eye sees them (gamma 2.5)?
   bool differ(Vec3 const& a, Vec3 const& b) const;
 
-  /// With RenderOptions::check_finite: the first sample whose light is wrong, without its path.
+  /// With RenderOptions::check_finite: the sample whose light is wrong, without its path; of
+  /// several the first in rows.
   struct Wrong {
     BadSample::Kind kind;
+    Pixel pixel;
     double x, y; ///< on the picture plane, pixels
     SampleKey key;
     Vec3 rgb;
@@ -49,13 +53,18 @@ private:
   struct Spot {
     double x, y;
     SampleKey key;
+    Pixel pixel; ///< that it is for
   };
-  RandomKey key_of(int x, int y) const;
-  Spot spot(double x, double y, RandomKey pixel, std::uint64_t number);
+  RandomKey key_of(Pixel const& pixel) const;
+  Spot spot(double x, double y, RandomKey key, std::uint64_t number, Pixel const& pixel) const;
+  Spot centre(Pixel const& pixel) const;
+  void add_grid(Pixel const& pixel);
   Sampled at(Spot const& spot);
   /// at() for each, with the same bits. @param count any
   void at_all(Spot const* spots, std::size_t count, Sampled* out);
   void at_together(Spot const* spots, std::size_t count, Sampled* out);
+  /// @param place of the sample among those that the tracer has just traced
+  void check(Spot const& spot, std::size_t place, Vec3 const& rgb);
   Sampled corner(std::int64_t x, std::int64_t y);
   Sampled cell(std::int64_t x, std::int64_t y, std::int64_t size, Sampled const (&corners)[4]);
 
@@ -66,7 +75,8 @@ private:
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
-  std::vector<Spot> spots_;    ///< of refined()
+  Pixel subdivided_{0, 0};     ///< the pixel of method 2 that is in work
+  std::vector<Spot> spots_;    ///< in work
   std::vector<Sampled> taken_; ///< of refined()
 };
 
