@@ -150,7 +150,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   SolidId const last = scratch.last_occluder;
   if (last < impl_->solids.size() && !ask(last)) return true;
   impl_->each_solid<NodeProbe>(ray, mask, 0.0, t_max,
-                              [&](SolidId id) { return id == last || ask(id); });
+                               [&](SolidId id) { return id == last || ask(id); });
   if (!found) scratch.last_occluder = no_solid;
   return found;
 }

@@ -9,16 +9,21 @@ namespace abbe::render {
 class FanShadows {
 public:
   /// @param normals unit, against the rays
+  /// @param beam of the rays
   FanShadows(Tracer& tracer, FanRay const& fan, geometry::FanHits const& hits,
-             geometry::FanVectors const& normals, InsideNode const* after, Tracer::Frame& frame);
+             geometry::FanVectors const& normals, InsideNode const* after, Tracer::Frame& frame,
+             Beam const& beam);
 
   enum class Way : std::uint8_t {
-    Unknown, ///< something filters the light, or is at the lamp: to be asked for each ray
+    Unknown, ///< to be asked for this ray alone
     Free,
+    Filtered, ///< some light is left
     Blocked
   };
   /// @param light one of the stage's, not shadowless
   Way way(CompiledLight const& light, std::size_t lane);
+  /// What is left of its light on a ray's way that is Filtered, a value a lane of the ray.
+  double const* left(CompiledLight const& light, std::size_t lane) const;
   /// As towards() (shader.hpp), of a light of the stage.
   bool towards(CompiledLight const& light, std::size_t lane, Vec3& direction, double& distance);
 
@@ -29,9 +34,31 @@ private:
     geometry::FanVectors direction;  ///< to the lamp
     alignas(32) double distance[geometry::fan_width];
     Way way[geometry::fan_width];
+    double* left = nullptr; ///< by lane
+  };
+  /// Some of the rays on their way to a lamp, behind the same surfaces. Arrays are in the arena.
+  struct Filtered {
+    geometry::FanLines* lines;
+    geometry::Departure const* from;
+    InsideNode const* inside;
+    double* rest;       ///< way to the lamp, by ray
+    std::size_t* place; ///< in the fan, by ray
+    Beam light;         ///< what is left
   };
   Ways& aimed(CompiledLight const& light);
   void find(Ways& out);
+  /// Shader::filter_shadow for several rays, with the same bits; what it cannot tell stays Unknown.
+  void filter(Filtered const& rays, geometry::FanHits const& hits, Ways& out);
+  /// For those that meet the same surface: goes on behind it.
+  void filter_behind(Filtered const& rays, geometry::FanHits const& hits, Ways& out);
+  /// Nothing more is met.
+  void arrive(Filtered const& rays, Ways& out);
+  /// Room for `count` of the rays.
+  Filtered take(Filtered const& like, std::size_t count);
+  /// The rays that are wanted(k), in order. @param hits theirs; null: there are none to be copied
+  template <class Wanted>
+  Filtered some(Filtered const& rays, Wanted const& wanted, geometry::FanHits const* hits,
+                geometry::FanHits* hits_out);
 
   Tracer& tracer_;
   FanRay const& fan_;
@@ -39,6 +66,7 @@ private:
   geometry::FanVectors const& normals_;
   InsideNode const* after_;
   Tracer::Frame& frame_;
+  Beam const& beam_;
   Ways* ways_; ///< by light
 };
 

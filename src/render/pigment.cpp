@@ -48,4 +48,22 @@ double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
   return 1 - (value.filter * brightest + value.transmit);
 }
 
+void tint(Stage const& stage, Surface const& surface, Vec3 const& point,
+          std::uint16_t const* channel, int lanes, double* left, Arena& arena) {
+  Arena::Scope const scope(arena);
+  PigmentValue pigment{arena.take<double>(static_cast<std::size_t>(lanes))};
+  for (int const number : surface.layers) {
+    CompiledLayer const& layer = stage.layers[static_cast<std::size_t>(number)];
+    Vec3 const inner = layer.to_texture_linear * point + layer.to_texture_offset;
+    if (lanes == 1)
+      evaluate_pigment<1>(stage, layer.pigment, inner, channel, lanes, pigment, arena);
+    else if (lanes == 3)
+      evaluate_pigment<3>(stage, layer.pigment, inner, channel, lanes, pigment, arena);
+    else
+      evaluate_pigment<0>(stage, layer.pigment, inner, channel, lanes, pigment, arena);
+    for (int k = 0; k < lanes; ++k)
+      left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
+  }
+}
+
 } // namespace abbe::render

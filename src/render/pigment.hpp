@@ -33,4 +33,9 @@ void evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point,
 /// which changed with version 3.7).
 double opacity(Stage const& stage, PigmentValue const& value, int lanes);
 
+/// What the layers of a surface leave of light that passes straight through. @param left of a ray,
+/// a value a lane
+void tint(Stage const& stage, Surface const& surface, Vec3 const& point,
+          std::uint16_t const* channel, int lanes, double* left, Arena& arena);
+
 } // namespace abbe::render

@@ -131,7 +131,8 @@ bool Shader<Lanes>::visible(CompiledLight const& light, Lit const& lit, std::siz
   ++tracer_.counts_.shadow;
   if (shadows_) {
     FanShadows::Way const way = shadows_->way(light, r);
-    if (way != FanShadows::Way::Unknown) return way == FanShadows::Way::Free;
+    if (way == FanShadows::Way::Filtered) std::copy_n(shadows_->left(light, r), each(), left);
+    if (way != FanShadows::Way::Unknown) return way != FanShadows::Way::Blocked;
   }
   Vec3 const to_light = lit.to_light.get(r);
   geometry::Departure& from = frame_.shadow;
@@ -171,19 +172,9 @@ void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, std::si
     if (tracer_.medium_of(next) != tracer_.medium_of(way.inside))
       for (int k = 0; k < each(); ++k)
         left[k] *= distance_fade(medium, light.channel[k], travelled);
-    for (auto const& crossing : frame.hit.crossings) {
-      for (int const number : stage_.surfaces[crossing.primitive].layers) {
-        Arena::Scope const scope(tracer_.arena_);
-        CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
-        PigmentValue pigment{
-            tracer_.arena_.template take<double>(static_cast<std::size_t>(each()))};
-        evaluate_pigment<Lanes>(stage_, layer.pigment,
-                                layer.to_texture_linear * frame.hit.point + layer.to_texture_offset,
-                                light.channel, each(), pigment, tracer_.arena_);
-        for (int k = 0; k < each(); ++k)
-          left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
-      }
-    }
+    for (auto const& crossing : frame.hit.crossings)
+      tint(stage_, stage_.surfaces[crossing.primitive], frame.hit.point, light.channel, each(),
+           left, tracer_.arena_);
     lit = any_above(left, each(), 0);
     rest -= frame.hit.t;
     frame.through.on = frame.hit.members;

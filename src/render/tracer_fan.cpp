@@ -202,7 +202,7 @@ double* Tracer::share_textured(FanMet const& at, Beam& light, LaneInterface& fac
   int const each = fan.lanes_each;
   auto const is_total = [](bool total) { return total; };
   bool const any_total = std::any_of(face.total, face.total + light.lanes, is_total);
-  FanShadows shadows(*this, fan, hits, met.normal, after, here);
+  FanShadows shadows(*this, fan, hits, met.normal, after, here, light);
   Meeting const meeting{n,
                         &fan.lines->direction,
                         &hits.point,

@@ -58,10 +58,10 @@ void expect_same(scene::Scene const& scene, std::size_t width) {
 }
 
 TEST(Together, SamplesOfRgbAreThoseOfEachAlone) {
-  for (std::size_t const width : {16, 8, 5, 2}) expect_same(table(none(), false), width);
+  for (std::size_t const width : {32, 20, 8, 5, 2}) expect_same(table(none(), false), width);
 }
 TEST(Together, SamplesOfBandsAreThoseOfEachAlone) {
-  for (std::size_t const width : {16, 13, 3}) expect_same(table(deterministic(), true), width);
+  for (std::size_t const width : {32, 20, 13, 3}) expect_same(table(deterministic(), true), width);
 }
 TEST(Together, SamplesThatSplitAdaptivelyAreThoseOfEachAlone) {
   for (std::size_t const width : {16, 3}) expect_same(table(adaptive(0.5), true), width);
@@ -85,6 +85,29 @@ TEST(Together, GlassThatMirrorsByItsFinishIsThatOfEachAlone) {
     ASSERT_TRUE(scene.objects[1].texture);
     scene.objects[1].texture->at(0).finish->reflection = reflection;
     expect_same(scene, 16);
+  }
+}
+/// Balls in each other and beside each other, with colours, and media that fade.
+TEST(Together, ShadowsBehindSeveralFiltersAreThoseOfEachAlone) {
+  for (bool const spectral : {false, true}) {
+    auto scene = table(spectral ? deterministic() : none(), spectral);
+    auto const add = [&](Vec3 const& centre, double radius, scene::Colour const& colour,
+                         double fade) {
+      auto const ball = geometry::make_sphere(centre, radius);
+      auto layers = clear();
+      layers[0].pigment.colour = colour;
+      auto made = object(ball->shape, ball->placement, layers);
+      auto interior = std::make_shared<scene::Interior>();
+      interior->ior = 1.2;
+      interior->fade_distance = fade;
+      interior->fade_power = fade > 0 ? 2 : 0;
+      made.interior = interior;
+      scene.objects.push_back(made);
+    };
+    add({-1, 2.5, 4}, 0.9, {{1, 0.5, 0.2}, 0.9, 0, nullptr}, 0.5);
+    add({-1, 2.5, 4}, 0.4, {{0.2, 0.9, 0.6}, 0.6, 0.2, nullptr}, 0);
+    add({0.2, 1.7, 3.5}, 0.7, {{0.4, 0.4, 1}, 0.7, 0.1, nullptr}, 0.3);
+    for (std::size_t const width : {32, 7}) expect_same(scene, width);
   }
 }
 TEST(Together, NotWhereSolidsDisplaceEachOther) {
