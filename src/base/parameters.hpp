@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,11 @@ public:
   /// Is a number next, and not a vector? Decides between `<i, j, k>, number` and `<i, j, k>, <l
   /// ...>`.
   virtual bool has_number() { return has_value(); }
+  /// The components, one vector behind another, of vectors of exactly `size` numbers that stand
+  /// next as such; at most `most` vectors, which are taken. Empty where anything else stands, and
+  /// whenever reading one by one is as well: for lists that are long. Valid until the block is
+  /// closed.
+  virtual std::span<double const> literal_vectors(int /*size*/, std::size_t /*most*/) { return {}; }
   /// The components of one `<...>` that has exactly `count` of them, any number (matrix 12, quartic
   /// 35 ...); zeros after an error.
   virtual std::vector<double> components(std::string_view /*name*/, int count) {

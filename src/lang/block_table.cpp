@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <vector>
 
 namespace abbe::lang {
@@ -222,9 +223,13 @@ std::span<BlockKind const> block_kinds() {
 }
 
 BlockKind const* find_block_kind(std::string_view head) {
-  auto const& kinds = all_kinds();
-  auto const found = std::ranges::lower_bound(kinds, head, {}, &BlockKind::head);
-  return found != kinds.end() && found->head == head ? &*found : nullptr;
+  static auto const by_head = [] {
+    std::unordered_map<std::string_view, BlockKind const*> map;
+    for (auto const& kind : all_kinds()) map.emplace(kind.head, &kind);
+    return map;
+  }();
+  auto const found = by_head.find(head);
+  return found == by_head.end() ? nullptr : found->second;
 }
 
 void read_statement(Reader& in) {

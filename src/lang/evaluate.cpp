@@ -7,9 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
-#include <fstream>
 #include <pthread.h>
-#include <sstream>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -108,13 +106,8 @@ bool Evaluated::ok() const {
 }
 
 Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  std::error_code failed;
-  bool readable = std::filesystem::is_regular_file(path, failed) && in;
-  if (readable && in.peek() != std::ifstream::traits_type::eof()) // << fails when it moves nothing
-    readable = static_cast<bool>(text << in.rdbuf());
-  if (!readable) {
+  auto text = read_whole(path);
+  if (!text) {
     Evaluated result;
     result.sources = std::make_unique<SourceSet>();
     result.unreadable = true;
@@ -125,7 +118,7 @@ Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const
                                   {}});
     return result;
   }
-  return evaluate(path.generic_string(), std::move(text).str(), path.parent_path(), options);
+  return evaluate(path.generic_string(), std::move(*text), path.parent_path(), options);
 }
 
 Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions const& options) {

@@ -6,22 +6,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
 
 namespace abbe::lang {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> read_whole(fs::path const& path) {
-  std::error_code failed;
-  if (!fs::is_regular_file(path, failed)) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
 
 /// Writes beside the file and renames: whole or not at all, and a link is replaced, not followed.
 bool write_whole(fs::path const& path, std::string const& text) {
@@ -51,6 +40,25 @@ bool below(fs::path const& path, fs::path const& folder) {
 }
 
 } // namespace
+
+std::optional<std::string> read_whole(fs::path const& path) {
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) return std::nullopt;
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  // Of the size that it has, in one piece; on if it has grown, or told none (/proc).
+  std::uintmax_t const told = fs::file_size(path, failed);
+  std::size_t more = failed ? 0 : static_cast<std::size_t>(told);
+  for (std::size_t size = 0; in; more = 4096) {
+    text.resize(size + more);
+    in.read(text.data() + size, static_cast<std::streamsize>(more));
+    size += static_cast<std::size_t>(in.gcount());
+    text.resize(size);
+    if (in.peek() == std::ifstream::traits_type::eof()) break;
+  }
+  if (!in.eof() || in.bad()) return std::nullopt;
+  return text;
+}
 
 std::vector<fs::path> Files::folders(SourceFile const* from) const {
   std::vector<fs::path> all;

@@ -16,6 +16,9 @@ namespace abbe::lang {
 
 class Interpreter;
 
+/// The bytes of a regular file; nullopt when it is none or cannot be read.
+std::optional<std::string> read_whole(std::filesystem::path const& path);
+
 /// An open file of `#fopen`.
 struct FileValue {
   bool writing = false;

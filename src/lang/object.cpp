@@ -95,14 +95,19 @@ bool is_object_head(std::string_view head) {
   return head == "object" || csg_kind(head) || find_shape(head);
 }
 
+namespace {
+
+/// What stands in the block before the modifiers.
+Object read_body(Reader& in, std::string_view head) {
+  if (auto const* shape = find_shape(head)) return read_shape(in, *shape);
+  if (auto kind = csg_kind(head)) return read_csg(in, *kind);
+  return read_wrapped(in);
+}
+
+} // namespace
+
 scene::Object read_object(Reader& in, std::string_view head) {
-  Object object;
-  if (auto kind = csg_kind(head))
-    object = read_csg(in, *kind);
-  else if (auto const* shape = find_shape(head))
-    object = read_shape(in, *shape);
-  else
-    object = read_wrapped(in);
+  Object object = read_body(in, head);
   while (!in.at_end()) {
     if (read_object_modifier(in, object)) continue;
     if (in.next() == Next::Block && is_object_head(in.next_word())) {

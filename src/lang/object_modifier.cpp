@@ -72,9 +72,19 @@ bool read_hint(Reader& in) {
   return false;
 }
 
+/// Is a block next that read_surface() takes? Nothing else needs to be asked for then.
+bool at_surface(Reader& in) {
+  if (in.next() != Next::Block) return false;
+  std::string_view const word = in.next_word();
+  return word == "texture" || word == "pigment" || word == "finish" || word == "interior"
+         || word == "interior_texture" || word == "material";
+}
+
 } // namespace
 
 bool read_object_modifier(Reader& in, Object& object) {
+  if (at_surface(in))
+    return read_surface(in, {object.texture, object.interior_texture, object.interior});
   geometry::Transform transform;
   Span const at = in.next_span();
   if (read_transform(in, transform)) {
@@ -84,6 +94,7 @@ bool read_object_modifier(Reader& in, Object& object) {
     object.placement = placed;
     return true;
   }
+  // For the words that it asks for: "did you mean".
   Surface const surface{object.texture, object.interior_texture, object.interior};
   return read_surface(in, surface) || read_flags(in, object) || read_bounds(in, object)
          || read_hint(in);

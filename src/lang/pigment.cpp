@@ -39,6 +39,12 @@ struct Draft {
     instance.reset();
     if (pigment.pattern) instance = std::make_unique<PatternInstance>(*pigment.pattern);
   }
+  void set(scene::Colour const& colour) {
+    pigment.colour = colour;
+    pigment.entries.clear();
+    pigment.default_entries = false;
+    instance.reset();
+  }
   void store() {
     pigment.pattern = instance ? std::make_shared<PatternInstance const>(*instance) : nullptr;
   }
@@ -131,6 +137,15 @@ bool read_map(Reader& in, Draft& draft) {
   return true;
 }
 
+/// A colour that begins with a word of its own: the most frequent item by far.
+bool read_plain_colour(Reader& in, Draft& draft) {
+  if (in.next() != Next::Word || !starts_colour(in)) return false;
+  auto const colour = accept_colour(in);
+  if (!colour) return false;
+  draft.set(*colour);
+  return true;
+}
+
 bool read_other(Reader& in, Draft& draft) {
   geometry::Transform transform;
   if (read_transform(in, transform)) {
@@ -145,10 +160,7 @@ bool read_other(Reader& in, Draft& draft) {
     draft.moved = {};
     draft.load();
   } else if (auto colour = accept_colour(in)) {
-    draft.pigment.colour = *colour;
-    draft.pigment.entries.clear();
-    draft.pigment.default_entries = false;
-    draft.instance.reset();
+    draft.set(*colour);
   } else {
     return false;
   }
@@ -180,8 +192,8 @@ void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform c
   draft.moved = moved;
   bool rejected = false;
   while (!in.at_end()) {
-    if (read_pattern(in, draft) || read_modifier(in, draft) || read_map(in, draft)
-        || read_other(in, draft))
+    if (read_plain_colour(in, draft) || read_pattern(in, draft) || read_modifier(in, draft)
+        || read_map(in, draft) || read_other(in, draft))
       continue;
     if (skip_rest_if_unsupported(in) || reject_other_pattern(in)) {
       rejected = true;

@@ -27,6 +27,7 @@ public:
   Vec2 vec2(std::string_view name) override;
   Vec3 vec3(std::string_view name) override;
   Vec4 vec4(std::string_view name) override;
+  std::span<double const> literal_vectors(int size, std::size_t most) override;
   bool has_value() override { return next() == Next::Numeric; }
   bool has_number() override;
   bool accept(std::string_view word) override;

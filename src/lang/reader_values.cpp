@@ -2,6 +2,7 @@
 // The reader as Parameters: numbers, vectors, strings.
 #include "lang/interpreter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -138,6 +139,22 @@ bool ReaderImpl::take_literal(Numeric& n, int size) {
   peek_.ready = false;
   asked_.clear();
   return true;
+}
+
+std::span<double const> ReaderImpl::literal_vectors(int size, std::size_t most) {
+  Frame& frame = frames_.back();
+  if (frame.position >= frame.items->size() || most == 0) return {};
+  ast::Item const& item = (*frame.items)[frame.position];
+  auto const* many = boost::relaxed_get<ast::LiteralVectors>(&item.get());
+  if (many == nullptr || many->size != size) return {};
+  std::size_t const first = frame.element;
+  std::size_t const count = std::min(most, many->count() - first);
+  frame.element += static_cast<std::uint32_t>(count - 1);
+  advance(frame);
+  peek_.ready = false;
+  asked_.clear();
+  auto const width = static_cast<std::size_t>(size);
+  return {many->values.data() + first * width, count * width};
 }
 
 Numeric ReaderImpl::vector(std::string_view name, int size) {

@@ -220,11 +220,29 @@ private:
   }
   void vectors(std::vector<Vec3>& to, std::string_view name) {
     int const count = in_.integer("number of vectors", 0, most);
-    for (int i = 0; i < count && in_.has_value(); ++i) to.push_back(in_.vec3(name));
+    each_vector(count, name, to, [](Vec3 const& v) { return v; });
     check_count(count, to.size());
   }
-  Corners corners(std::size_t limit) {
-    Vec3 const v = in_.vec3("indices");
+  /// Appends what `made` makes of each of the next vectors, `count` at most.
+  template <class T, class Made>
+  void each_vector(int count, std::string_view name, std::vector<T>& to, Made&& made) {
+    auto left = static_cast<std::size_t>(count);
+    while (left > 0) {
+      auto const run = in_.literal_vectors(3, left);
+      if (run.empty()) {
+        if (!in_.has_value()) return;
+        to.push_back(made(in_.vec3(name)));
+        --left;
+        continue;
+      }
+      std::size_t const vectors = run.size() / 3;
+      if (to.capacity() - to.size() < vectors) to.reserve(to.size() + vectors);
+      for (std::size_t i = 0; i < run.size(); i += 3)
+        to.push_back(made(Vec3(run[i], run[i + 1], run[i + 2])));
+      left -= vectors;
+    }
+  }
+  Corners corners(Vec3 const& v, std::size_t limit) {
     Corners result{};
     for (int i = 0; i < 3; ++i) {
       bool const good = v[i] >= 0 && v[i] < static_cast<double>(limit);
@@ -246,9 +264,12 @@ private:
   }
   void faces() {
     int const count = in_.integer("number of faces", 0, most);
+    if (list_.empty()) {
+      read_corners(count, data_.faces, data_.vertices.size());
+      return;
+    }
     for (int i = 0; i < count && in_.has_value(); ++i) {
-      data_.faces.push_back(corners(data_.vertices.size()));
-      if (list_.empty()) continue;
+      data_.faces.push_back(corners(in_.vec3("indices"), data_.vertices.size()));
       std::array<std::int32_t, 3> textures{-1, -1, -1};
       if (in_.has_number()) {
         textures[0] = texture();
@@ -263,8 +284,10 @@ private:
     check_count(count, data_.faces.size());
   }
   void indices(std::vector<Corners>& to, std::size_t limit) {
-    int const count = in_.integer("number of faces", 0, most);
-    for (int i = 0; i < count && in_.has_value(); ++i) to.push_back(corners(limit));
+    read_corners(in_.integer("number of faces", 0, most), to, limit);
+  }
+  void read_corners(int count, std::vector<Corners>& to, std::size_t limit) {
+    each_vector(count, "indices", to, [&](Vec3 const& v) { return corners(v, limit); });
     check_count(count, to.size());
   }
   /// Without indices, the face's own must fit.
