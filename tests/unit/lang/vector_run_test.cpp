@@ -31,5 +31,25 @@ TEST(VectorRun, FillsMeshesAndSaysWhereAVectorIsWrong) {
   EXPECT_NE(wrong.find("test.scn:22:"), std::string::npos) << wrong;
 }
 
+/// Corners that no other has, so that each face has an area.
+std::string corners(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += fmt::format("<{}, {}, 2>,\n", i, i * i);
+  return text;
+}
+
+TEST(VectorRun, IsTakenAsFarAsTheListCounts) {
+  // The run is longer or shorter than announced, or broken by what is no literal.
+  std::string const faces = "face_indices { 1, <0, 1, 2> } }";
+  auto const mesh = [&](int announced, std::string const& list) {
+    return codes_of(fmt::format("mesh2 {{ vertex_vectors {{ {}, {} }}", announced, list) + faces);
+  };
+  EXPECT_EQ(mesh(40, corners(40)), "");
+  EXPECT_EQ(mesh(39, corners(40)), "E0203"); // one is left unread
+  EXPECT_EQ(mesh(41, corners(40)), "E0613");
+  EXPECT_EQ(mesh(58, corners(20) + "<1, 2 * 3, 4>, 5,\n" + corners(36)), "");
+  EXPECT_EQ(mesh(40, corners(39) + "#if (1) <7, 8, 9> #end"), "");
+}
+
 } // namespace
 } // namespace abbe::lang
