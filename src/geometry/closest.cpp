@@ -50,7 +50,7 @@ bool find_end(TracedSolid const& solid, std::vector<Placed> const& primitives, R
   Start start;
   bool const starts = find_start(from, solid.only(), start);
   // What leaves a convex shape does not come back.
-  if (starts ? !start.to_inside : placed.reach().misses(ray, until)) return false;
+  if (starts ? !start.to_inside : placed.misses(ray, until)) return false;
   Ends<double> ends;
   solid.ends()->ends(placed.line(vec(ray.origin), vec(ray.direction)), starts ? &start : nullptr,
                      ends);

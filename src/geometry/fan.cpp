@@ -169,8 +169,8 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
       native.cut(query, *this, id, *cut);
     } else if (LaneTree const* const tree = solid.lane_tree()) {
       if (!operand_probe) operand_probe.emplace(extents.widened(rays));
-      auto const misses = [&](PrimitiveId operand) {
-        Bounds const& bounds = primitives[operand].bounds();
+      auto const misses = [&](LaneTree::Operand const& operand) {
+        Bounds const& bounds = operand.bounds;
         double entry = 0;
         return bounds.empty() || !operand_probe->enter(bounds.low, bounds.high, 0, farthest, entry);
       };

@@ -91,7 +91,7 @@ void propose_convex(FanQuery const& query, Placed const& placed, EndsKernel cons
 /// Any solid, for one ray.
 inline void propose_any(FanQuery const& query, World::Impl const& world, SolidId id,
                         std::size_t k) {
-  Bounds const& bounds = world.solids[id].bounds();
+  Bounds const bounds = world.bounds(id);
   double const& end = query.nearest.end[k];
   Ray const ray = query.rays.get(k);
   double entry = 0;

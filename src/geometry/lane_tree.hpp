@@ -27,7 +27,8 @@ public:
   struct Operand {
     PrimitiveId primitive;
     EndsKernel const* kernel; ///< null: of other shapes, for which the lanes must not come near it
-    bool bounded;
+    Bounds bounds;
+    bool bounded() const { return !bounds.infinite; }
     bool hidden; ///< only there to clip
   };
   std::span<Operand const> operands() const { return operands_; }
@@ -89,7 +90,7 @@ struct TreeOperands {
       LaneTree::Operand const& operand = tree.operands()[i];
       Near& next = near[count];
       next.starts = find_start(from, operand.primitive, next.start);
-      if (!next.starts && operand.bounded && misses(operand.primitive)) continue;
+      if (!next.starts && operand.bounded() && misses(operand)) continue;
       if (operand.kernel == nullptr) return false;
       next.operand = i;
       next.place = static_cast<double>(i);

@@ -44,7 +44,7 @@ void gather_near(LineQuery const& query, PrimitiveId primitive, std::uint32_t op
                  bool hidden) {
   Start start;
   bool const starts = find_start(query.from, primitive, start);
-  if (!starts && query.primitives[primitive].reach().misses(query.ray, query.until)) return;
+  if (!starts && query.primitives[primitive].misses(query.ray, query.until)) return;
   gather_all(query, primitive, operand, hidden, starts ? &start : nullptr);
 }
 

@@ -3,19 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace abbe::geometry {
 
-Placed::Placed(PlacedShape const& placed)
-    : shape_(placed.shape),
-      inverse_linear_(placed.placement.inverse_linear),
-      offset_(placed.placement.offset),
-      size_(0),
-      along_axes_(false) {
-  Transform const& at = placed.placement;
-  offset_rounding_ = rounding * glm::abs(at.offset) + at.offset_error;
+namespace {
+
+bool same_bits(Mat3 const& a, Mat3 const& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+} // namespace
+
+bool Placed::uniform(Transform const& at) {
+  Transform const scaling = Transform::scaling(Vec3(at.linear[0][0]));
+  return same_bits(at.linear, scaling.linear)
+         && same_bits(at.inverse_linear, scaling.inverse_linear)
+         && same_bits(at.linear_error, scaling.linear_error)
+         && same_bits(at.inverse_linear_error, scaling.inverse_linear_error);
+}
+
+Placed::Whole Placed::whole_of(Transform const& at) {
   Mat3 const& m = at.inverse_linear;
-  along_axes_ = m == Mat3(m[0][0], 0, 0, 0, m[1][1], 0, 0, 0, m[2][2]);
+  Whole out{m, Mat3(0), m == Mat3(m[0][0], 0, 0, 0, m[1][1], 0, 0, 0, m[2][2]), {}, {}};
   for (int row = 0; row < 3; ++row) {
     int entries = 0;
     double largest = 0;
@@ -27,55 +37,82 @@ Placed::Placed(PlacedShape const& placed)
     for (int column = 0; column < 3; ++column) {
       bool const none = entries == 1 && m[column][row] == 0;
       double const off = at.inverse_linear_error[column][row];
-      size_[column][row] = (none ? 0.0 : largest) + off / rounding;
-      along_axes_ = along_axes_ && (row == column || off == 0);
+      out.size[column][row] = (none ? 0.0 : largest) + off / rounding;
+      out.along_axes = out.along_axes && (row == column || off == 0);
     }
   }
-  bounds_ = bounds_of(placed, size_);
-  reach_ = Reach(*this, placed.placement);
+  return out;
+}
+
+Placed::Placed(PlacedShape const& placed)
+    : shape_(placed.shape),
+      offset_(placed.placement.offset),
+      offset_error_(placed.placement.offset_error) {
+  Transform const& at = placed.placement;
+  if (uniform(at)) {
+    scale_ = at.linear[0][0];
+    inverse_scale_ = at.inverse_linear[0][0];
+    size_ = std::fabs(inverse_scale_) + at.inverse_linear_error[0][0] / rounding;
+    Reach const reach(*this, at);
+    ball_ = reach.ball_about(offset_);
+    if (reach.unknown() || ball_ > 0) return;
+  }
+  auto whole = std::make_unique<Whole>(whole_of(at));
+  whole->bounds = bounds_of(*shape_, at, whole->size);
+  Whole& own = *whole;
+  whole_ = std::move(whole);
+  own.reach = Reach(*this, at);
+}
+
+Bounds Placed::bounds() const {
+  if (whole_) return whole_->bounds;
+  Transform at = Transform::scaling(Vec3(scale_));
+  at.offset = offset_;
+  at.offset_error = offset_error_;
+  return bounds_of(*shape_, at, inverse_size());
 }
 
 Ray Placed::to_object(Ray const& world) const {
   Vec3 const from_here = world.origin - offset_;
-  Ray ray;
-  if (along_axes_) { // the same bits with a third of the work
-    Vec3 const scale(inverse_linear_[0][0], inverse_linear_[1][1], inverse_linear_[2][2]);
-    Vec3 const size(size_[0][0], size_[1][1], size_[2][2]);
-    ray.origin = scale * from_here;
-    ray.direction = scale * world.direction;
-    ray.origin_error = size * world.origin_error;
-    ray.origin_rounding = size * (rounding * glm::abs(from_here) + offset_rounding_);
-    ray.direction_rounding = size * (rounding * glm::abs(world.direction));
-    return ray;
+  Vec3 const off = rounding * glm::abs(from_here) + offset_rounding();
+  Vec3 const turned = rounding * glm::abs(world.direction);
+  if (!whole_) {
+    return {inverse_scale_ * from_here, inverse_scale_ * world.direction,
+            size_ * world.origin_error, size_ * off, size_ * turned};
   }
-  ray.origin = inverse_linear_ * from_here;
-  ray.direction = inverse_linear_ * world.direction;
-  ray.origin_error = size_ * world.origin_error;
-  ray.origin_rounding = size_ * (rounding * glm::abs(from_here) + offset_rounding_);
-  ray.direction_rounding = size_ * (rounding * glm::abs(world.direction));
-  return ray;
+  Mat3 const &m = whole_->inverse_linear, &s = whole_->size;
+  if (whole_->along_axes) { // the same bits with a third of the work
+    Vec3 const scale(m[0][0], m[1][1], m[2][2]), size(s[0][0], s[1][1], s[2][2]);
+    return {scale * from_here, scale * world.direction, size * world.origin_error, size * off,
+            size * turned};
+  }
+  return {m * from_here, m * world.direction, s * world.origin_error, s * off, s * turned};
 }
 
 Vec3 Placed::to_object(Vec3 const& world_point) const {
-  return inverse_linear_ * (world_point - offset_);
+  Vec3 const from_here = world_point - offset_;
+  return whole_ ? whole_->inverse_linear * from_here : inverse_scale_ * from_here;
 }
 
 Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const {
   Vec3 const point = to_object(world_point);
   Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
   // The direction only: scaled to the order of 1 first, so that no square overflows.
-  Mat3 const& back = inverse_linear_;
-  Vec3 const world =
-      along_axes_ ? n * Vec3(back[0][0], back[1][1], back[2][2]) : to_world_normal(n);
+  Vec3 world;
+  if (whole_ && whole_->along_axes) {
+    Mat3 const& back = whole_->inverse_linear;
+    world = n * Vec3(back[0][0], back[1][1], back[2][2]);
+  } else {
+    world = to_world_normal(n);
+  }
   Vec3 const size = glm::abs(world);
   double const largest = std::max(size.x, std::max(size.y, size.z));
   return glm::normalize(world / largest);
 }
 
-Bounds Placed::bounds_of(PlacedShape const& placed, Mat3 const& inverse_size) {
-  Bounds const own = placed.shape->bounds();
+Bounds Placed::bounds_of(Shape const& shape, Transform const& at, Mat3 const& inverse_size) {
+  Bounds const own = shape.bounds();
   if (own.infinite || own.empty()) return own;
-  Transform const& at = placed.placement;
   Mat3 const size(glm::abs(at.linear[0]), glm::abs(at.linear[1]), glm::abs(at.linear[2]));
   Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
   Vec3 const centre = at.point(middle);

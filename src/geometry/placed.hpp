@@ -4,6 +4,8 @@
 #include "geometry/line.hpp"
 #include "geometry/reach.hpp"
 
+#include <memory>
+
 namespace abbe::geometry {
 
 /// A shape in the world: takes rays to its object space, with bounds of the rounding errors on the
@@ -21,7 +23,9 @@ public:
   Shape const& shape() const { return *shape_; }
   Vec3 const& offset() const { return offset_; }
   /// Of a normal of object space in the world: the direction, not of unit length.
-  Vec3 to_world_normal(Vec3 const& n) const { return glm::transpose(inverse_linear_) * n; }
+  Vec3 to_world_normal(Vec3 const& n) const {
+    return whole_ ? glm::transpose(whole_->inverse_linear) * n : n * inverse_scale_;
+  }
   Ray to_object(Ray const& world) const;
   /// The same bits, for any lane type, without the slack.
   template <class L>
@@ -30,40 +34,57 @@ public:
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
   /// inverse_linear is off by at most `rounding` times this, entry by entry, as described.
-  Mat3 const& inverse_size() const { return size_; }
+  Mat3 inverse_size() const { return whole_ ? whole_->size : Mat3(size_); }
   /// placement.offset is off by at most `rounding` times this.
-  Vec3 offset_size() const { return offset_rounding_ / rounding; }
+  Vec3 offset_size() const { return offset_rounding() / rounding; }
   static constexpr double rounding = gamma_bound(16);
-  Reach const& reach() const { return reach_; }
-  /// Bounds in world space, wide enough for the errors of to_object.
-  Bounds const& bounds() const { return bounds_; }
+  /// As Reach::misses.
+  bool misses(Ray const& ray, double until) const {
+    if (whole_) return whole_->reach.misses(ray, until);
+    return ball_ > 0 && Reach::misses_ball(offset_, ball_, ray, until);
+  }
+  /// Bounds in world space, wide enough for the errors of to_object. Computed when asked for unless
+  /// the placement is kept whole.
+  Bounds bounds() const;
 
 private:
-  static Bounds bounds_of(PlacedShape const& placed, Mat3 const& size);
+  /// What any placement takes.
+  struct Whole {
+    Mat3 inverse_linear, size;
+    bool along_axes; ///< inverse_linear is diagonal
+    Bounds bounds;
+    Reach reach;
+  };
+  static bool uniform(Transform const& at);
+  static Whole whole_of(Transform const& at);
+  static Bounds bounds_of(Shape const& shape, Transform const& at, Mat3 const& size);
+  Vec3 offset_rounding() const { return rounding * glm::abs(offset_) + offset_error_; }
 
   ShapePtr shape_;
-  Mat3 inverse_linear_;
-  Vec3 offset_;
-  Mat3 size_;
-  Vec3 offset_rounding_;
-  bool along_axes_; ///< inverse_linear is diagonal
-  Bounds bounds_;
-  Reach reach_;
+  Vec3 offset_, offset_error_;
+  /// Of the same scaling along all axes, which is what a million spheres have; else `whole_`.
+  double scale_ = 1, inverse_scale_ = 1, size_ = 1;
+  double ball_ = 0; ///< what the reach is, about the offset: squared radius; 0: unknown
+  std::unique_ptr<Whole const> whole_;
 };
 
 template <class L>
 Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) const {
-  Mat3 const& m = inverse_linear_;
   auto const vec = [](Vec3 const& v) { return lane::Vec<L>{L(v.x), L(v.y), L(v.z)}; };
   auto const each = [](lane::Vec<L> const& a, lane::Vec<L> const& b) {
     return lane::Vec<L>{a.x * b.x, a.y * b.y, a.z * b.z};
   };
   lane::Vec<L> const from_here = origin - vec(offset_);
-  lane::Vec<L> const off = L(rounding) * lane::abs(from_here) + vec(offset_rounding_);
+  lane::Vec<L> const off = L(rounding) * lane::abs(from_here) + vec(offset_rounding());
   lane::Vec<L> const turned = L(rounding) * lane::abs(direction);
-  if (along_axes_) {
+  if (!whole_) { // the same bits with a third of the work
+    L const scale(inverse_scale_), size(size_);
+    return {scale * from_here, scale * direction, size * off, size * turned, {}};
+  }
+  Mat3 const &m = whole_->inverse_linear, &s = whole_->size;
+  if (whole_->along_axes) {
     lane::Vec<L> const scale = vec({m[0][0], m[1][1], m[2][2]});
-    lane::Vec<L> const size = vec({size_[0][0], size_[1][1], size_[2][2]});
+    lane::Vec<L> const size = vec({s[0][0], s[1][1], s[2][2]});
     return {
         each(scale, from_here), each(scale, direction), each(size, off), each(size, turned), {}};
   }
@@ -73,7 +94,7 @@ Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) 
     };
     return lane::Vec<L>{row(0), row(1), row(2)};
   };
-  return {times(m, from_here), times(m, direction), times(size_, off), times(size_, turned), {}};
+  return {times(m, from_here), times(m, direction), times(s, off), times(s, turned), {}};
 }
 
 } // namespace abbe::geometry

@@ -24,13 +24,19 @@ public:
   /// No crossing with t > 0 beyond what is at the start, and up to `until`. The primitive must not
   /// be one that the ray starts on.
   bool misses(Ray const& ray, double until) const {
-    if (kind_ == Kind::Ball) return misses_ball(ray, until);
+    if (kind_ == Kind::Ball) return misses_ball(place_, size_, ray, until);
     return kind_ == Kind::Plane && misses_plane(ray, until);
+  }
+  /// The same of a ball. @param size its squared radius
+  static bool misses_ball(Vec3 const& centre, double size, Ray const& ray, double until);
+  bool unknown() const { return kind_ == Kind::Unknown; }
+  /// The squared radius of a ball about `centre`; 0: none, or not there.
+  double ball_about(Vec3 const& centre) const {
+    return kind_ == Kind::Ball && place_ == centre ? size_ : 0;
   }
 
 private:
   enum class Kind : std::uint8_t { Unknown, Ball, Plane };
-  bool misses_ball(Ray const& ray, double until) const;
   bool misses_plane(Ray const& ray, double until) const;
   void set_ball(Placed const& placed, Transform const& at);
   void set_plane(Placed const& placed);
@@ -48,14 +54,14 @@ private:
   Kind kind_ = Kind::Unknown;
 };
 
-inline bool Reach::misses_ball(Ray const& ray, double until) const {
-  Vec3 const to = place_ - ray.origin;
+inline bool Reach::misses_ball(Vec3 const& centre, double size, Ray const& ray, double until) {
+  Vec3 const to = centre - ray.origin;
   Vec3 const& d = ray.direction;
   double const distance2 = to.x * to.x + to.y * to.y + to.z * to.z;
   double const along = to.x * d.x + to.y * d.y + to.z * d.z;
   double const length2 = d.x * d.x + d.y * d.y + d.z * d.z;
   // Wide enough for the roundings of either side: of the ball, and of the way to it.
-  double const wide = size_ + share_ * distance2;
+  double const wide = size + share_ * distance2;
   if ((distance2 - wide) * length2 > along * along) return true;
   if (along < 0 && distance2 > wide) return true;
   double const beyond = along - until * length2;

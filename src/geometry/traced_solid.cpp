@@ -91,7 +91,7 @@ Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
 
 TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives,
                          SolidId id)
-    : id_(id), mask_(source.mask), bounds_(bounds_of(source.tree, primitives)) {
+    : id_(id), mask_(source.mask) {
   if (source.tree.op == CsgTree::Op::Primitive) {
     only_ = source.tree.primitive;
     inverse_ = source.tree.inverse;
@@ -102,6 +102,8 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
   } else {
     tree_ = make_tree(source.tree, primitives);
   }
+  if (ends_ == nullptr || inverse_)
+    bounds_ = std::make_unique<Bounds const>(bounds_of(source.tree, primitives));
 }
 
 std::unique_ptr<TracedSolid::Tree const>

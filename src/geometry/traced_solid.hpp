@@ -34,7 +34,8 @@ public:
   TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives, SolidId id);
 
   std::uint8_t mask() const { return mask_; }
-  Bounds const& bounds() const { return bounds_; }
+  /// Null: those of the one primitive.
+  Bounds const* bounds() const { return bounds_.get(); }
   bool has_program() const { return tree_ != nullptr; }
   CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
   /// Without a program: the one primitive (inverse(): inside and outside swapped).
@@ -119,7 +120,7 @@ private:
   bool convex_ = false; ///< of the one primitive: a line that leaves it does not come back
   std::unique_ptr<Tree const> tree_;
   EndsKernel const* ends_ = nullptr;
-  Bounds bounds_;
+  std::unique_ptr<Bounds const> bounds_; ///< not of one convex shape: asked for once
 };
 
 /// Bounds of a boolean tree: an intersection lies in what its children have in common, a difference
@@ -178,7 +179,7 @@ void TracedSolid::single_ahead(Query const& query, Take& take) const {
   Start start;
   bool const starts = find_start(query.from, only_, start);
   Placed const& placed = query.primitives[only_];
-  if (starts ? convex_ && !start.to_inside : placed.reach().misses(query.ray, query.until)) return;
+  if (starts ? convex_ && !start.to_inside : placed.misses(query.ray, query.until)) return;
   Crossings& crossings = query.scratch.crossings;
   crossings.clear();
   placed.shape().crossings_ahead(placed.to_object(query.ray), starts ? &start : nullptr,

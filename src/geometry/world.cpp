@@ -13,38 +13,10 @@ ScratchPtr World::make_scratch() {
   return ScratchPtr(new Scratch);
 }
 
-World::World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, double contact)
-    : impl_(std::make_unique<Impl>()) {
-  Impl& impl = *impl_;
-  impl.primitives.reserve(primitives.size());
-  for (PlacedShape const& placed : primitives) impl.primitives.emplace_back(placed);
-  primitives = {}; // a million of them are 400 MB
-  impl.solids.reserve(solids.size());
-  for (SolidId id = 0; id < solids.size(); ++id) {
-    impl.solids.emplace_back(solids[id], impl.primitives, id);
-    impl.state_of.push_back(impl.solids.back().has_program() ? impl.states++ : 0);
-  }
-  impl.all = impl.make_group(0xff);
-  // What asks for a bit that few have should not pass by all the others.
-  for (unsigned bit = 1; bit <= 0x80; bit *= 2) {
-    auto const mask = static_cast<std::uint8_t>(bit);
-    auto const having =
-        std::count_if(impl.solids.begin(), impl.solids.end(),
-                      [&](TracedSolid const& solid) { return (solid.mask() & mask) != 0; });
-    if (static_cast<std::size_t>(having) * 2 <= impl.solids.size()) {
-      impl.some.push_back(impl.make_group(mask));
-    }
-  }
-  if (!(contact > 0)) return;
-  std::vector<Bounds> joining;
-  for (SolidId id = 0; id < solids.size(); ++id) {
-    joining.push_back(solids[id].joins ? impl.solids[id].bounds() : Bounds{});
-  }
-  impl.contacts = Contacts(joining, contact);
-}
-
 World::~World() = default;
 World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 namespace {
 
@@ -219,7 +191,7 @@ bool World::inside(PrimitiveId id, Vec3 const& point) const {
   return placed.shape().inside(placed.to_object(point));
 }
 Bounds World::bounds(SolidId id) const {
-  return impl_->solids[id].bounds();
+  return impl_->bounds(id);
 }
 std::optional<FaceBlend> World::face_blend(PrimitiveId id, std::uint32_t face,
                                            Vec3 const& point) const {

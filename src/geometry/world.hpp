@@ -88,9 +88,11 @@ public:
   /// @param primitives placed shapes, index = PrimitiveId, in coordinates relative to the camera
   /// @param solids index = SolidId
   /// @param contact share of the extent that counts as contact of solids that join; 0: none
-  World(std::vector<PlacedShape> primitives, std::vector<Solid> solids, double contact = 0);
+  World(std::vector<PlacedShape> const& primitives, std::vector<Solid> const& solids,
+        double contact = 0);
   ~World();
   World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
 
   static ScratchPtr make_scratch();
 
@@ -134,6 +136,9 @@ public:
   struct Impl; ///< of this folder's own
 
 private:
+  friend class WorldBuilder; // which makes large ones
+  explicit World(std::unique_ptr<Impl> impl);
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -28,38 +28,44 @@ struct World::Impl {
   struct Group {
     std::uint8_t mask = 0xff;
     std::vector<SolidId> infinite;
-    Bvh bvh; ///< of the others
+    Bvh bvh;     ///< of the others
+    Bounds hull; ///< of its items
   };
   Group all;
   std::vector<Group> some; ///< those of bits that at most half of the solids have
 
+  Bounds bounds(SolidId id) const {
+    Bounds const* const own = solids[id].bounds();
+    return own != nullptr ? *own : primitives[solids[id].only()].bounds();
+  }
+
   Group make_group(std::uint8_t mask) const {
     Group group;
     group.mask = mask;
-    BvhSpaceFinder finder;
-    std::size_t finite = 0;
-    auto const each_finite = [&](auto const& visit) {
+    auto const each = [&](auto const& visit) {
       for (SolidId id = 0; id < solids.size(); ++id) {
-        Bounds const& bounds = solids[id].bounds();
-        bool const has = mask == 0xff || (solids[id].mask() & mask) != 0;
-        if (has && !bounds.infinite && !bounds.empty()) visit(id, bounds);
+        if (mask == 0xff || (solids[id].mask() & mask) != 0) visit(id, bounds(id));
       }
     };
-    each_finite([&](SolidId, Bounds const& bounds) {
-      finder.add(bounds.low, bounds.high);
-      ++finite;
+    BvhSpaceFinder finder;
+    std::size_t finite = 0;
+    each([&](SolidId id, Bounds const& bounds) {
+      if (bounds.infinite) {
+        group.infinite.push_back(id);
+      } else if (!bounds.empty()) {
+        finder.add(bounds.low, bounds.high);
+        ++finite;
+      }
     });
-    for (SolidId id = 0; id < solids.size(); ++id) {
-      if (mask != 0xff && (solids[id].mask() & mask) == 0) continue;
-      if (solids[id].bounds().infinite) group.infinite.push_back(id);
-    }
     std::vector<BvhBox> boxes;
     boxes.reserve(finite);
     BvhSpace const space = finder.space();
-    each_finite([&](SolidId id, Bounds const& bounds) {
-      boxes.push_back(space.box(bounds.low, bounds.high, id));
+    each([&](SolidId id, Bounds const& bounds) {
+      if (!bounds.infinite && !bounds.empty())
+        boxes.push_back(space.box(bounds.low, bounds.high, id));
     });
     group.bvh = Bvh(space, std::move(boxes));
+    group.hull = finder.hull();
     return group;
   }
   Group const& group(std::uint8_t mask) const {
@@ -110,9 +116,9 @@ struct World::Impl {
     bool goes_on = true;
     if (group.bvh.items().size() == 1) { // most small scenes have a plane and a solid
       SolidId const id = group.bvh.items().front();
-      Bounds const& bounds = solids[id].bounds();
+      Bounds const& lone = group.hull;
       double entry = 0;
-      if (typename Probe::Single(rays).enter(bounds.low, bounds.high, low, high, entry)) {
+      if (typename Probe::Single(rays).enter(lone.low, lone.high, low, high, entry)) {
         goes_on = visit(id);
       }
     } else if (!group.bvh.nodes().empty()) {

@@ -2,6 +2,7 @@
 #include "render/compile_objects.hpp"
 
 #include "geometry/shapes/mesh.hpp"
+#include "geometry/world_builder.hpp"
 #include "render/finish_numbers.hpp"
 
 #include <algorithm>
@@ -35,6 +36,10 @@ public:
         stage_(stage) {}
 
   void run() {
+    std::size_t const primitives = leaves(scene_.objects);
+    world_.reserve(primitives, scene_.objects.size());
+    stage_.surfaces.reserve(primitives);
+    stage_.solids.reserve(scene_.objects.size());
     auto left_out = plan_.out_of_reach.begin();
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
       if (left_out != plan_.out_of_reach.end() && *left_out == i)
@@ -43,11 +48,21 @@ public:
         for (auto& piece : pieces(scene_.objects[i])) add_solid(std::move(piece));
     }
     bool const media_touch = plan_.has(plan::Effect::ContactOfMedia);
-    stage_.world = std::make_unique<geometry::World>(std::move(primitives_), std::move(solids_),
-                                                     media_touch ? scene_.settings.contact : 0.0);
+    stage_.world = std::make_unique<geometry::World>(
+        std::move(world_).finish(media_touch ? scene_.settings.contact : 0.0));
   }
 
 private:
+  template <class Objects>
+  static std::size_t leaves(Objects const& objects) {
+    std::size_t count = 0;
+    for (Object const& object : objects) {
+      count += object.kind == Object::Kind::Shape ? 1 : leaves(object.children);
+      count += leaves(object.clipped_by);
+    }
+    return count;
+  }
+
   void add_solid(Piece&& piece) {
     CompiledSolid solid;
     if (piece.interior) {
@@ -61,12 +76,11 @@ private:
     bool const refracts = stage_.media[static_cast<std::size_t>(solid.medium)].refracts();
     stage_.solids.push_back(solid);
     if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
-    solids_.push_back({std::move(piece.tree), piece.mask, refracts});
+    world_.add({std::move(piece.tree), piece.mask, refracts});
   }
 
   bool leaks(CsgTree const& tree) const {
-    if (tree.op == CsgTree::Op::Primitive)
-      return geometry::leaks(*primitives_[tree.primitive].shape);
+    if (tree.op == CsgTree::Op::Primitive) return geometry::leaks(world_.shape(tree.primitive));
     return std::any_of(tree.children.begin(), tree.children.end(),
                        [this](CsgTree const& child) { return leaks(child); });
   }
@@ -187,11 +201,8 @@ private:
 
   Piece primitive(Object const& object) {
     Piece piece;
-    piece.tree.primitive = static_cast<geometry::PrimitiveId>(primitives_.size());
-    primitives_.push_back({object.shape, object.placement.then(to_stage_)});
+    piece.tree.primitive = world_.add({object.shape, object.placement.then(to_stage_)});
     Surface surface;
-    surface.object = object.span;
-    surface.keyword = object.keyword;
     surface.double_illuminate = object.double_illuminate.value_or(false);
     if (object.texture) surface.layers = layers(*object.texture);
     if (object.interior_texture) surface.interior_layers = layers(*object.interior_texture);
@@ -200,7 +211,7 @@ private:
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
     for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
     std::erase_if(surface.layers, [&](int number) { return invisible(number); });
-    stage_.surfaces.push_back(std::move(surface));
+    stage_.surfaces.add(std::move(surface), object);
     piece.interior = object.interior;
     bool const image = !object.no_image.value_or(false);
     bool const reflection = !object.no_reflection.value_or(false);
@@ -270,8 +281,7 @@ private:
   MediaCompiler& media_;
   Stage& stage_;
   Transform to_stage_ = Transform::translation(-scene_.camera.location);
-  std::vector<geometry::PlacedShape> primitives_;
-  std::vector<geometry::World::Solid> solids_;
+  geometry::WorldBuilder world_;
   FinishNumbers finishes_;
   std::unordered_map<std::uint64_t, int> plain_layers_; ///< by numbers of pigment and finish
 };

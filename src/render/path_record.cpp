@@ -66,8 +66,8 @@ void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   // None is left where a medium of higher priority displaces all of them.
   auto const primitive = hit.crossings.empty() ? hit.members.front().primitive
                                                : hit.crossings[carrier_of(hit.crossings)].primitive;
-  ray.step.object = stage_.surfaces[primitive].object;
-  ray.step.keyword = stage_.surfaces[primitive].keyword;
+  ray.step.object = stage_.surfaces.object(primitive).span;
+  ray.step.keyword = stage_.surfaces.object(primitive).keyword;
 }
 
 void PathRecorder::look_at_last(Tracer& tracer) {

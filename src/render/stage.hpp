@@ -6,6 +6,7 @@
 #include "optics/comb.hpp"
 #include "optics/glass.hpp"
 #include "plan/plan.hpp"
+#include "render/surfaces.hpp"
 #include "scene/scene.hpp"
 
 #include <cstdint>
@@ -79,18 +80,6 @@ struct Medium {
   bool refracts() const { return dispersive || index_d != 1; }
 };
 
-/// Everything about the surface of a primitive.
-struct Surface {
-  std::vector<int> layers;          ///< from the bottom to the top
-  std::vector<int> interior_layers; ///< seen from inside, when the scene gives them
-  std::vector<std::vector<int>> face_layers;
-  bool double_illuminate = false;
-  Span object; ///< of the shape, for messages
-  std::string_view keyword;
-  /// Nothing but the change of media: clear glass.
-  bool bare() const { return layers.empty() && interior_layers.empty() && face_layers.empty(); }
-};
-
 struct CompiledSolid {
   int medium = 0;          ///< of its inside
   bool has_medium = false; ///< an interior was given: it counts as a medium
@@ -116,7 +105,7 @@ struct Stage {
   int channels = 3;
   std::optional<optics::ChannelSet> spectral; ///< nullopt: r g b
   std::unique_ptr<geometry::World> world;
-  std::vector<Surface> surfaces;     ///< by PrimitiveId
+  Surfaces surfaces;                 ///< by PrimitiveId
   std::vector<CompiledSolid> solids; ///< by SolidId
   std::vector<CompiledLayer> layers;
   std::vector<CompiledPigment> pigments;

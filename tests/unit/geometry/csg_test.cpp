@@ -383,8 +383,9 @@ TEST(Bounds, OfUnboundedSurfacesThatAreCutAreThoseOfWhatCutsThem) {
   std::vector<double> cubic(20);
   cubic[0] = 1;  // x^3
   cubic[18] = 1; // z
-  std::vector<Placed> const primitives{Placed(*make_polynomial(3, cubic)),
-                                       Placed({std::make_shared<Box const>(), {}})};
+  std::vector<Placed> primitives;
+  primitives.emplace_back(*make_polynomial(3, cubic));
+  primitives.emplace_back(PlacedShape{std::make_shared<Box const>(), {}});
   ASSERT_TRUE(primitives[0].bounds().infinite);
   Bounds const box = primitives[1].bounds();
   for (CsgTree const& tree :

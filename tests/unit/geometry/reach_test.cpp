@@ -68,7 +68,7 @@ TEST(Reach, MissesOnlyWhatHasNoCrossingThatCounts) {
       placed.shape().crossings(placed.to_object(ray), nullptr, crossings);
       bool counts = false;
       for (Crossing const& c : crossings) counts = counts || (c.t > 0 && c.t <= until);
-      bool const misses = placed.reach().misses(ray, until);
+      bool const misses = placed.misses(ray, until);
       EXPECT_FALSE(misses && counts) << i;
       ++asked;
       said_no += misses ? 1 : 0;
@@ -87,7 +87,7 @@ TEST(Reach, SaysTheSameAtEachScale) {
       for (double const scale : {0x1p-60, 0x1p90}) {
         Placed const other(moved(there, Transform::scaling(Vec3(scale))));
         Ray const scaled{ray.origin * scale, ray.direction, Vec3(0)};
-        EXPECT_EQ(Placed(there).reach().misses(ray, 4), other.reach().misses(scaled, 4 * scale));
+        EXPECT_EQ(Placed(there).misses(ray, 4), other.misses(scaled, 4 * scale));
       }
     }
   }
@@ -97,7 +97,7 @@ TEST(Reach, SaysNothingOfSizesWhoseSquaresOverflow) {
   for (double const size : {0x1p-500, 0x1p500}) {
     Placed const placed(*make_sphere({0, 0, 0}, size));
     Ray const past{{0, 3 * size, -5 * size}, {0, 0, 1}, Vec3(0)};
-    EXPECT_FALSE(placed.reach().misses(past, everywhere));
+    EXPECT_FALSE(placed.misses(past, everywhere));
   }
 }
 
