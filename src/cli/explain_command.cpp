@@ -114,7 +114,7 @@ int run_explain(int argc, char** argv) {
       "run; time is the processor's, the least of three. Shares need not add up.");
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
   int status = 0;
-  auto const evaluated = load_scene(arguments, status);
+  lang::Evaluated const* const evaluated = load_scene(arguments, status);
   if (!evaluated) return status;
   auto const plan = plan_scene(*evaluated, arguments, status);
   if (!plan) return status;

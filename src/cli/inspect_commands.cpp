@@ -48,7 +48,7 @@ int run_check(int argc, char** argv) {
   arguments.add_to(app, false);
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
   int status = 0;
-  auto const evaluated = load_scene(arguments, status);
+  lang::Evaluated const* const evaluated = load_scene(arguments, status);
   if (evaluated && plan_scene(*evaluated, arguments, status) && !arguments.quiet)
     fmt::print("{}: no errors\n", arguments.scene);
   return status;
@@ -68,7 +68,7 @@ int run_dump(int argc, char** argv) {
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
   if (tokens || tree) return dump_syntax(arguments.scene, tokens);
   int status = 0;
-  auto const evaluated = load_scene(arguments, status);
+  lang::Evaluated const* const evaluated = load_scene(arguments, status);
   if (!evaluated) return status;
   if (graph) {
     fmt::print("{}", lang::dump_scene(evaluated->scene));

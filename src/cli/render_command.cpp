@@ -166,7 +166,7 @@ int render_scene(RenderArguments& arguments) {
 
   Stopwatch const all;
   int status = 0;
-  auto const evaluated = load_scene(arguments.scene, status);
+  lang::Evaluated const* const evaluated = load_scene(arguments.scene, status);
   if (!evaluated) return status;
   render::RenderOptions& options = arguments.options;
   options.width = arguments.scene.width;

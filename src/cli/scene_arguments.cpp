@@ -117,7 +117,16 @@ std::string parse_duration(std::string const& text, double& seconds) {
   return "";
 }
 
-std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& status) {
+namespace {
+
+lang::Evaluated const* kept(lang::Evaluated&& evaluated) {
+  static auto* const all = new std::vector<lang::Evaluated const*>; // never destroyed
+  return all->emplace_back(new lang::Evaluated(std::move(evaluated)));
+}
+
+} // namespace
+
+lang::Evaluated const* load_scene(SceneArguments const& arguments, int& status) {
   catch_interrupts();
   lang::EvaluateOptions options;
   options.stdlib_dir = stdlib_dir();
@@ -140,15 +149,15 @@ std::optional<lang::Evaluated> load_scene(SceneArguments const& arguments, int& 
   }
   if (evaluated.interrupted) {
     status = 130;
-    return std::nullopt;
+    return nullptr;
   }
   if (errors > 0) {
     fmt::print(stderr, "abbe: {} error{}\n", errors, errors == 1 ? "" : "s");
     status = evaluated.unreadable ? 3 : 1;
-    return std::nullopt;
+    return nullptr;
   }
   status = 0;
-  return evaluated;
+  return kept(std::move(evaluated));
 }
 
 plan::Overrides overrides_of(SceneArguments const& arguments) {

@@ -109,7 +109,7 @@ std::string words_of(int argc, char** argv) {
 int run(Arguments& arguments, std::string const& command) {
   int status = 0;
   auto& scene = arguments.scene;
-  auto const evaluated = load_scene(scene, status);
+  lang::Evaluated const* const evaluated = load_scene(scene, status);
   if (!evaluated) return status;
 
   study::StudyOptions options;
