@@ -91,6 +91,7 @@ TEST(Together, GlassThatMirrorsByItsFinishIsThatOfEachAlone) {
 TEST(Together, ShadowsBehindSeveralFiltersAreThoseOfEachAlone) {
   for (bool const spectral : {false, true}) {
     auto scene = table(spectral ? deterministic() : none(), spectral);
+    scene.objects.resize(1); // the floor
     auto const add = [&](Vec3 const& centre, double radius, scene::Colour const& colour,
                          double fade) {
       auto const ball = geometry::make_sphere(centre, radius);
@@ -104,9 +105,9 @@ TEST(Together, ShadowsBehindSeveralFiltersAreThoseOfEachAlone) {
       made.interior = interior;
       scene.objects.push_back(made);
     };
-    add({-1, 2.5, 4}, 0.9, {{1, 0.5, 0.2}, 0.9, 0, nullptr}, 0.5);
-    add({-1, 2.5, 4}, 0.4, {{0.2, 0.9, 0.6}, 0.6, 0.2, nullptr}, 0);
-    add({0.2, 1.7, 3.5}, 0.7, {{0.4, 0.4, 1}, 0.7, 0.1, nullptr}, 0.3);
+    add({-0.6, 0.64, 2.4}, 0.5, {{1, 0.5, 0.2}, 0.9, 0, nullptr}, 0.5);
+    add({-0.6, 0.64, 2.4}, 0.25, {{0.2, 0.9, 0.6}, 0.6, 0.2, nullptr}, 0);
+    add({-0.2, -0.4, 3}, 0.4, {{0.4, 0.4, 1}, 0.7, 0.1, nullptr}, 0.3);
     for (std::size_t const width : {32, 7}) expect_same(scene, width);
   }
 }
