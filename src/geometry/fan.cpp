@@ -188,18 +188,54 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
   });
 }
 
+/// What leaves a solid with partners is clear when there is nothing as near behind it as they
+/// reach.
+void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double const* t_max,
+                                Scratch& scratch, FanHits& hits) const {
+  bool open[fan_width];
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    FanHit const& hit = hits.hit[k];
+    bool const leaves = hit.kind == FanHit::Kind::Single && !hit.entering && hit.toggles;
+    open[k] = leaves && contacts.reach(hit.solid) > 0;
+  }
+  for (std::size_t first = 0; first < rays.count; ++first) {
+    if (!open[first]) continue;
+    FanHit const surface = hits.hit[first];
+    double const widest = contacts.reach(surface.solid);
+    FanLines behind;
+    double reach[fan_width];
+    std::size_t place[fan_width];
+    behind.count = 0;
+    for (std::size_t k = first; k < rays.count; ++k) {
+      if (!open[k] || !(hits.hit[k] == surface)) continue;
+      open[k] = false;
+      Vec3 const point = hits.point.get(k), direction = rays.direction.get(k);
+      Vec3 const normal = primitives[surface.primitive].normal(surface.face, point, true);
+      double const room = t_max == nullptr ? everywhere : t_max[k] - hits.t[k];
+      reach[behind.count] = std::min(widest / std::fabs(glm::dot(direction, normal)), room);
+      place[behind.count] = k;
+      behind.origin.set(behind.count, point);
+      behind.direction.set(behind.count, direction);
+      behind.origin_error.set(behind.count, hits.point_error.get(k));
+      ++behind.count;
+    }
+    behind.fill();
+    scratch.through.on.assign(1, {surface.primitive, surface.face, surface.was_entering});
+    scratch.through.through = true;
+    Nearest nearest(behind.count, reach);
+    find_fan(behind, &scratch.through, mask, scratch, nearest);
+    for (std::size_t i = 0; i < behind.count; ++i)
+      if (!(nearest.proposal[i] < 0)) hits.hit[place[i]].kind = FanHit::Kind::Unclear;
+  }
+}
+
 void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
                         double const* t_max, Scratch& scratch, FanHits& hits) const {
   Impl::Nearest nearest(rays.count, t_max);
   impl_->find_fan(rays, from, mask, scratch, nearest);
   native.points(rays, nearest, hits);
   write_hits(rays.count, nearest, scratch.proposals, hits);
-  if (!impl_->contacts.any()) return;
-  for (std::size_t k = 0; k < rays.count; ++k) {
-    FanHit& hit = hits.hit[k];
-    bool const leaves = hit.kind == FanHit::Kind::Single && !hit.entering && hit.toggles;
-    if (leaves && impl_->contacts.reach(hit.solid) > 0) hit.kind = FanHit::Kind::Unclear;
-  }
+  if (impl_->contacts.any()) impl_->find_contacts(rays, mask, t_max, scratch, hits);
 }
 
 void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,

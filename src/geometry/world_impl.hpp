@@ -89,6 +89,8 @@ struct World::Impl {
   struct Nearest; ///< of fan.cpp
   void find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask, Scratch& scratch,
                 Nearest& nearest) const;
+  void find_contacts(FanLines const& rays, std::uint8_t mask, double const* t_max, Scratch& scratch,
+                     FanHits& hits) const;
   /// Tells one world's scratch from another's, nothing more.
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};
