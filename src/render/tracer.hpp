@@ -13,6 +13,7 @@
 #include "render/stage.hpp"
 #include "render/wave_tables.hpp"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 
@@ -84,7 +85,10 @@ private:
   struct Frame {
     geometry::HitGroup hit;
     geometry::Departure through, back, shadow;
+    std::deque<geometry::HitGroup> groups; ///< of a fan's rays that meet several surfaces at once
   };
+  /// By ray of a fan; null: it meets one surface, or nothing.
+  using FanGroups = std::array<geometry::HitGroup const*, geometry::fan_width>;
 
   // tracer.cpp
   /// The light of some samples as it leaves the camera.
@@ -126,13 +130,14 @@ private:
   /// @param lines the fan's, to be filled up
   void trace_lanes(FanRay const& fan, geometry::FanLines& lines, Beam const& beam,
                    std::uint64_t& kind);
-  /// Rays of a fan, next to each other, that met the same surface.
+  /// Rays of a fan, next to each other, that met the same surfaces.
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
-                    std::size_t first, std::size_t count, Frame& frame);
+                    FanGroups const& groups, std::size_t first, std::size_t count, Frame& frame);
   /// The same where fan_normals() knows the normals, which are in `met`. @return false, with
   /// nothing done, where each ray has to go alone
+  /// @param group of the first, or null
   bool interact_fan(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
-                    FanInterface& met, Frame& frame);
+                    geometry::HitGroup const* group, FanInterface& met, Frame& frame);
   /// The media beyond a surface, and how the light is to be split there.
   void find_split(FanRay const& fan, Beam const& incoming, InsideNode const* after,
                   LaneInterface& face);
@@ -162,6 +167,13 @@ private:
                  SplitWays const& ways);
   /// meet_comb() for the rays of a fan. @pre the surface does not mirror by `reflection`
   void meet_comb_fan(FanMet const& at, Beam const& light, LaneInterface& face);
+
+  // tracer_fan_groups.cpp
+  /// What the rays meet that is Unclear; their hits become that of the surface that is shown.
+  void find_groups(FanRay const& fan, geometry::FanHits& hits, Frame& here, FanGroups& groups);
+  /// Do two rays meet the same surfaces?
+  static bool same_hit(geometry::FanHits const& hits, FanGroups const& groups, std::size_t a,
+                       std::size_t b);
 
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);

@@ -76,32 +76,28 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
   Arena::Scope const scope(arena_);
   auto* hits = arena_.take<FanHits>(1);
   stage_.world->closest_fan(*fan.lines, fan.from, fan.mask, nullptr, *scratch_, *hits);
+  FanGroups groups;
+  find_groups(fan, *hits, here, groups);
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
-    FanHit const& hit = hits->hit[first];
     last = first + 1;
     auto const k = static_cast<int>(first);
-    if (hit.kind == FanHit::Kind::Nothing) {
+    if (hits->hit[first].kind == FanHit::Kind::Nothing) {
       if (fan.inside)
         arrive(fan.lane(k), beam.ray(k, each), here, false);
       else
         add_background(fan.lines->direction.get(first), beam.ray(k, each));
       continue;
     }
-    if (hit.kind == FanHit::Kind::Unclear) {
-      --depth_;
-      trace(fan.lane(k), beam.ray(k, each));
-      ++depth_;
-      continue;
-    }
-    while (last < n && hit == hits->hit[last]) ++last;
-    interact_run(fan, beam, *hits, first, last - first, here);
+    while (last < n && same_hit(*hits, groups, first, last)) ++last;
+    interact_run(fan, beam, *hits, groups, first, last - first, here);
   }
   --depth_;
 }
 
 void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hits,
-                          std::size_t first, std::size_t count, Frame& here) {
+                          FanGroups const& groups, std::size_t first, std::size_t count,
+                          Frame& here) {
   Arena::Scope const scope(arena_);
   FanRay run = fan;
   Beam lanes = beam;
@@ -123,10 +119,14 @@ void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hi
   auto* face = arena_.take<FanInterface>(1);
   bool const plain = !stage_.has_priorities && !stage_.has_leaks;
   if (plain && count > 1 && fan_normals(*found, count, face->normal)
-      && interact_fan(run, lanes, *found, *face, here))
+      && interact_fan(run, lanes, *found, groups[first], *face, here))
     return;
   for (int k = 0; k < static_cast<int>(count); ++k) {
-    found->write(static_cast<std::size_t>(k), here.hit);
+    auto const place = static_cast<std::size_t>(k);
+    if (groups[first + place] != nullptr)
+      here.hit = *groups[first + place];
+    else
+      found->write(place, here.hit);
     arrive(run.lane(k), lanes.ray(k, fan.lanes_each), here, true);
   }
 }
@@ -203,15 +203,9 @@ double* Tracer::share_textured(FanMet const& at, Beam& light, LaneInterface& fac
   auto const is_total = [](bool total) { return total; };
   bool const any_total = std::any_of(face.total, face.total + light.lanes, is_total);
   FanShadows shadows(*this, fan, hits, met.normal, after, here, light);
-  Meeting const meeting{n,
-                        &fan.lines->direction,
-                        &hits.point,
-                        &hits.point_error,
-                        &met.normal,
-                        &met.normal,
-                        met.cos_i,
-                        face.reflectance,
-                        0};
+  Meeting const meeting{n,           &fan.lines->direction, &hits.point, &hits.point_error,
+                        &met.normal, &met.normal,           met.cos_i,   face.reflectance,
+                        face.carrier};
   FanSurface const surface = shade_met(meeting, light, here, fan.inside, after, &shadows);
   for (std::size_t k = 0; k < n; ++k) {
     auto const first = static_cast<int>(k) * each;
@@ -260,15 +254,23 @@ void Tracer::find_split(FanRay const& fan, Beam const& incoming, InsideNode cons
 }
 
 bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const& hits,
-                          FanInterface& met, Frame& here) {
+                          geometry::HitGroup const* group, FanInterface& met, Frame& here) {
   std::size_t const n = fan.lines->count;
-  hits.write(0, here.hit);
+  if (group != nullptr)
+    here.hit = *group;
+  else
+    hits.write(0, here.hit);
   LaneInterface face;
+  face.carrier = carrier_of(here.hit.crossings);
   InsideNode const* const after = after_crossings(fan.inside, here.hit);
   find_split(fan, incoming, after, face);
-  Surface const& surface = stage_.surfaces[hits.hit[0].primitive];
   bool const meets_comb = face.splits && face.comb != no_comb && incoming.comb == no_comb;
-  if (face.doubles || (meets_comb && stage_.mirrors(surface))) return false;
+  auto const& crossings = here.hit.crossings;
+  auto const mirrors = [&](auto const& crossing) {
+    return stage_.mirrors(stage_.surfaces[crossing.primitive]);
+  };
+  if (face.doubles || (meets_comb && std::any_of(crossings.begin(), crossings.end(), mirrors)))
+    return false;
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
   Medium const& beyond = stage_.media[static_cast<std::size_t>(face.after)];
   for (std::size_t k = n; k % 4 != 0; ++k) met.normal.set(k, met.normal.get(n - 1));
@@ -311,7 +313,11 @@ void Tracer::share_and_go_on(FanMet const& at, Beam& through, LaneInterface& fac
 
 double* Tracer::share(FanMet const& at, Beam& light, LaneInterface& face, double* returns) {
   std::size_t const n = at.fan.lines->count;
-  if (!face.splits && stage_.surfaces[at.hits.hit[0].primitive].bare()) {
+  auto const& crossings = at.here.hit.crossings;
+  auto const bare = [&](auto const& crossing) {
+    return stage_.surfaces[crossing.primitive].bare();
+  };
+  if (!face.splits && std::all_of(crossings.begin(), crossings.end(), bare)) {
     share_bare(at.met, face.fresnel, n, at.fan.lanes_each, returns, light.throughput);
     return nullptr;
   }

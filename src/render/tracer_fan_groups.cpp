@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "render/tracer.hpp"
+
+#include <algorithm>
+
+/// Hits of several surfaces at once (a filling against its vessel), in fans: each ray's is asked
+/// for alone, but those of the same surfaces go on together.
+namespace abbe::render {
+namespace {
+
+/// Do they differ in place only?
+bool same_surfaces(geometry::HitGroup const& a, geometry::HitGroup const& b) {
+  auto const same_crossing = [](auto const& x, auto const& y) {
+    return x.solid == y.solid && x.primitive == y.primitive && x.face == y.face
+           && x.entering == y.entering && x.toggles == y.toggles;
+  };
+  auto const same_member = [](auto const& x, auto const& y) {
+    return x.primitive == y.primitive && x.face == y.face && x.was_entering == y.was_entering;
+  };
+  return std::equal(a.crossings.begin(), a.crossings.end(), b.crossings.begin(), b.crossings.end(),
+                    same_crossing)
+         && std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                       same_member);
+}
+
+} // namespace
+
+void Tracer::find_groups(FanRay const& fan, geometry::FanHits& hits, Frame& here,
+                         FanGroups& groups) {
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < fan.lines->count; ++k) {
+    groups[k] = nullptr;
+    geometry::FanHit& hit = hits.hit[k];
+    if (hit.kind != geometry::FanHit::Kind::Unclear) continue;
+    if (here.groups.size() == number) here.groups.emplace_back();
+    geometry::HitGroup& group = here.groups[number++];
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!stage_.world->closest(fan.lines->get(k), fan.from, fan.mask, infinity, *scratch_, group)) {
+      hit.kind = geometry::FanHit::Kind::Nothing;
+      continue;
+    }
+    groups[k] = &group;
+    geometry::SurfaceCrossing const& shown = group.crossings[carrier_of(group.crossings)];
+    hit = {geometry::FanHit::Kind::Single,
+           shown.entering,
+           shown.toggles,
+           shown.entering,
+           shown.solid,
+           shown.primitive,
+           shown.face};
+    hits.t[k] = group.t;
+    hits.error[k] = group.error;
+    hits.point.set(k, group.point);
+    hits.point_error.set(k, group.point_error);
+  }
+}
+
+bool Tracer::same_hit(geometry::FanHits const& hits, FanGroups const& groups, std::size_t a,
+                      std::size_t b) {
+  if (!(hits.hit[a] == hits.hit[b]) || (groups[a] == nullptr) != (groups[b] == nullptr))
+    return false;
+  return groups[a] == nullptr || same_surfaces(*groups[a], *groups[b]);
+}
+
+} // namespace abbe::render
