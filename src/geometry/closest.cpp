@@ -120,6 +120,14 @@ bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, do
   return true;
 }
 
+bool World::closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                          Scratch& scratch, HitGroup& out) const {
+  impl_->prepare(scratch);
+  if (!impl_->first_group(ray, from, mask, t_max, scratch, out)) return false;
+  if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
+  return true;
+}
+
 bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                      Scratch& scratch) const {
   impl_->prepare(scratch);

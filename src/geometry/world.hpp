@@ -102,6 +102,10 @@ public:
   /// are one group, at the surface that is left.
   bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
                HitGroup& out) const;
+  /// The same answer, at once the way that takes several surfaces for granted: for rays that a fan
+  /// found Unclear.
+  bool closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                     Scratch&, HitGroup& out) const;
   /// closest() for each ray of a fan (fan.hpp), with the bits of each alone.
   /// @param rays at least one, filled up
   /// @param t_max by ray; null: infinite

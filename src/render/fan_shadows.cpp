@@ -162,22 +162,31 @@ FanShadows::Filtered FanShadows::some(Filtered const& rays, Wanted const& wanted
   return out;
 }
 
-void FanShadows::filter(Filtered const& rays, FanHits const& hits, Ways& out) {
+void FanShadows::filter(Filtered const& rays, FanHits& hits, Ways& out) {
   std::size_t const n = rays.lines->count;
+  FanRay const fan{rays.lines, rays.from, rays.inside, 0, filter_shadow_bit, fan_.lanes_each};
+  ++tracer_.depth_;
+  Tracer::Frame& frame = tracer_.frame(tracer_.depth_, fan.lane(0), rays.light);
+  Tracer::FanGroups groups;
+  tracer_.find_groups(fan, rays.rest, hits, frame, groups);
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
-    FanHit const& hit = hits.hit[first];
-    for (last = first + 1; last < n && hit == hits.hit[last];) ++last;
-    if (hit.kind == FanHit::Kind::Unclear) continue;
+    for (last = first + 1; last < n && Tracer::same_hit(hits, groups, first, last);) ++last;
     Arena::Scope const scope(tracer_.arena_);
     auto* run_hits = tracer_.arena_.take<FanHits>(1);
     auto const in_run = [&](std::size_t k) { return k >= first && k < last; };
     Filtered const run = some(rays, in_run, &hits, run_hits);
-    if (hit.kind == FanHit::Kind::Nothing)
+    if (hits.hit[first].kind == FanHit::Kind::Nothing) {
       arrive(run, out);
+      continue;
+    }
+    if (groups[first] != nullptr)
+      frame.hit = *groups[first];
     else
-      filter_behind(run, *run_hits, out);
+      hits.write(first, frame.hit);
+    filter_behind(run, *run_hits, frame, out);
   }
+  --tracer_.depth_;
 }
 
 void FanShadows::arrive(Filtered const& rays, Ways& out) {
@@ -197,15 +206,12 @@ void FanShadows::arrive(Filtered const& rays, Ways& out) {
   }
 }
 
-void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Ways& out) {
+void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Tracer::Frame& frame,
+                               Ways& out) {
   Stage const& stage = tracer_.stage_;
   int const each = fan_.lanes_each;
   std::size_t const n = rays.lines->count;
-  ++tracer_.depth_;
-  PathRay const ray{rays.lines->get(0), rays.from, rays.inside, 0, filter_shadow_bit};
   Beam light = rays.light;
-  Tracer::Frame& frame = tracer_.frame(tracer_.depth_, ray, light);
-  hits.write(0, frame.hit);
   Medium const& medium = stage.media[static_cast<std::size_t>(tracer_.medium_of(rays.inside))];
   InsideNode const* const next = tracer_.after_crossings(rays.inside, frame.hit);
   tracer_.absorb_fan(light, medium, hits.t, each);
@@ -216,8 +222,9 @@ void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Ways& 
     double* const left = light.throughput + first;
     for (int c = 0; leaves && c < each; ++c)
       left[c] *= distance_fade(medium, light.channel[first + c], hits.t[k]);
-    tint(stage, stage.surfaces[hits.hit[k].primitive], hits.point.get(k), light.channel + first,
-         each, left, tracer_.arena_);
+    for (auto const& crossing : frame.hit.crossings)
+      tint(stage, stage.surfaces[crossing.primitive], hits.point.get(k), light.channel + first,
+           each, left, tracer_.arena_);
     lit[k] = any_above(left, each, 0);
     rays.rest[k] -= hits.t[k];
     there[k] = !(rays.rest[k] > 0);
@@ -245,7 +252,6 @@ void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Ways& 
                              *tracer_.scratch_, *met);
     filter(onwards, *met, out);
   }
-  --tracer_.depth_;
 }
 
 } // namespace abbe::render

@@ -47,10 +47,11 @@ private:
   };
   Ways& aimed(CompiledLight const& light);
   void find(Ways& out);
-  /// Shader::filter_shadow for several rays, with the same bits; what it cannot tell stays Unknown.
-  void filter(Filtered const& rays, geometry::FanHits const& hits, Ways& out);
-  /// For those that meet the same surface: goes on behind it.
-  void filter_behind(Filtered const& rays, geometry::FanHits const& hits, Ways& out);
+  /// Shader::filter_shadow for several rays, with the same bits.
+  void filter(Filtered const& rays, geometry::FanHits& hits, Ways& out);
+  /// For those that meet the same surfaces, which are in `frame`: goes on behind them.
+  void filter_behind(Filtered const& rays, geometry::FanHits const& hits, Tracer::Frame& frame,
+                     Ways& out);
   /// Nothing more is met.
   void arrive(Filtered const& rays, Ways& out);
   /// Room for `count` of the rays.

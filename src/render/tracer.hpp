@@ -170,7 +170,10 @@ private:
 
   // tracer_fan_groups.cpp
   /// What the rays meet that is Unclear; their hits become that of the surface that is shown.
-  void find_groups(FanRay const& fan, geometry::FanHits& hits, Frame& here, FanGroups& groups);
+  /// @param t_max by ray; null: infinite
+  /// @param here keeps the groups
+  void find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits, Frame& here,
+                   FanGroups& groups);
   /// Do two rays meet the same surfaces?
   static bool same_hit(geometry::FanHits const& hits, FanGroups const& groups, std::size_t a,
                        std::size_t b);

@@ -77,7 +77,7 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
   auto* hits = arena_.take<FanHits>(1);
   stage_.world->closest_fan(*fan.lines, fan.from, fan.mask, nullptr, *scratch_, *hits);
   FanGroups groups;
-  find_groups(fan, *hits, here, groups);
+  find_groups(fan, nullptr, *hits, here, groups);
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
     last = first + 1;

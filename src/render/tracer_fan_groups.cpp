@@ -25,8 +25,9 @@ bool same_surfaces(geometry::HitGroup const& a, geometry::HitGroup const& b) {
 
 } // namespace
 
-void Tracer::find_groups(FanRay const& fan, geometry::FanHits& hits, Frame& here,
-                         FanGroups& groups) {
+void Tracer::find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits,
+                         Frame& here, FanGroups& groups) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
   for (std::size_t k = 0; k < fan.lines->count; ++k) {
     groups[k] = nullptr;
@@ -34,8 +35,9 @@ void Tracer::find_groups(FanRay const& fan, geometry::FanHits& hits, Frame& here
     if (hit.kind != geometry::FanHit::Kind::Unclear) continue;
     if (here.groups.size() == number) here.groups.emplace_back();
     geometry::HitGroup& group = here.groups[number++];
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!stage_.world->closest(fan.lines->get(k), fan.from, fan.mask, infinity, *scratch_, group)) {
+    double const until = t_max == nullptr ? infinity : t_max[k];
+    if (!stage_.world->closest_group(fan.lines->get(k), fan.from, fan.mask, until, *scratch_,
+                                     group)) {
       hit.kind = geometry::FanHit::Kind::Nothing;
       continue;
     }

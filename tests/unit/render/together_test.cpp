@@ -111,6 +111,26 @@ TEST(Together, ShadowsBehindSeveralFiltersAreThoseOfEachAlone) {
     for (std::size_t const width : {32, 7}) expect_same(scene, width);
   }
 }
+/// Water in a vessel of glass: it has its wall in common with it, or is just short of it.
+TEST(Together, MediaThatTouchAreThoseOfEachAlone) {
+  for (double const gap : {0.0, 1e-7})
+    for (auto const& mode : {none(), deterministic(), stochastic(), adaptive(0.5)}) {
+      auto scene = table(mode, mode.kind != scene::DispersionMode::Kind::None);
+      scene.objects.resize(1); // the floor
+      auto const box = [](Vec3 const& low, Vec3 const& high) {
+        auto const made = geometry::make_box(low, high);
+        return object(made->shape, made->placement, clear());
+      };
+      scene::Object vessel;
+      vessel.kind = scene::Object::Kind::Difference;
+      vessel.children = {box({-1.2, -1.1, 3}, {1.2, 1, 5}), box({-1, -0.9, 3.2}, {1, 2, 4.8})};
+      scene.objects.push_back(with_glass(vessel, n_sf11(), mode));
+      Vec3 const short_of(gap);
+      scene.objects.push_back(with_glass(
+          box(Vec3(-1, -0.9, 3.2) + short_of, Vec3(1, 0.4, 4.8) - short_of), n_bk7(), mode));
+      for (std::size_t const width : {32, 7}) expect_same(scene, width);
+    }
+}
 TEST(Together, NotWhereSolidsDisplaceEachOther) {
   auto scene = table(stochastic(), true);
   auto other = *scene.objects[1].interior;
