@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace abbe::lang {
 namespace {
 
@@ -95,6 +97,8 @@ void ReaderImpl::pop() {
     if (frames_.back().stream != nullptr) in_.streams.close();
   }
   frames_.pop_back();
+  // What is pushed from now on lies above the blocks that were left open here.
+  for (OpenBlock& open : open_blocks_) open.frame = std::min(open.frame, frames_.size());
   peek_.ready = false;
 }
 

@@ -188,7 +188,7 @@ private:
 
   /// A block that an #if left open: it has no wall but ends at a Punctuation '}'.
   struct OpenBlock {
-    std::size_t frame; ///< its first frame; it is the innermost block while no wall lies above
+    std::size_t frame; ///< where its frames begin; the innermost block while no wall lies above
     Span span;
     std::string_view head;
   };
