@@ -167,8 +167,9 @@ void FanShadows::filter(Filtered const& rays, FanHits& hits, Ways& out) {
   FanRay const fan{rays.lines, rays.from, rays.inside, 0, filter_shadow_bit, fan_.lanes_each};
   ++tracer_.depth_;
   Tracer::Frame& frame = tracer_.frame(tracer_.depth_, fan.lane(0), rays.light);
-  Tracer::FanGroups groups;
-  tracer_.find_groups(fan, rays.rest, hits, frame, groups);
+  Tracer::FanGroups found;
+  Tracer::FanGroups const* const groups =
+      tracer_.find_groups(fan, rays.rest, hits, frame, found) ? &found : nullptr;
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
     for (last = first + 1; last < n && Tracer::same_hit(hits, groups, first, last);) ++last;
@@ -180,8 +181,8 @@ void FanShadows::filter(Filtered const& rays, FanHits& hits, Ways& out) {
       arrive(run, out);
       continue;
     }
-    if (groups[first] != nullptr)
-      frame.hit = *groups[first];
+    if (groups != nullptr && (*groups)[first] != nullptr)
+      frame.hit = *(*groups)[first];
     else
       hits.write(first, frame.hit);
     filter_behind(run, *run_hits, frame, out);

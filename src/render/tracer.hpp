@@ -132,7 +132,7 @@ private:
                    std::uint64_t& kind);
   /// Rays of a fan, next to each other, that met the same surfaces.
   void interact_run(FanRay const& fan, Beam const& beam, geometry::FanHits const& hits,
-                    FanGroups const& groups, std::size_t first, std::size_t count, Frame& frame);
+                    FanGroups const* groups, std::size_t first, std::size_t count, Frame& frame);
   /// The same where fan_normals() knows the normals, which are in `met`. @return false, with
   /// nothing done, where each ray has to go alone
   /// @param group of the first, or null
@@ -172,11 +172,16 @@ private:
   /// What the rays meet that is Unclear; their hits become that of the surface that is shown.
   /// @param t_max by ray; null: infinite
   /// @param here keeps the groups
-  void find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits, Frame& here,
+  /// @return false where nothing is Unclear: then nothing is written
+  bool find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits, Frame& here,
                    FanGroups& groups);
-  /// Do two rays meet the same surfaces?
-  static bool same_hit(geometry::FanHits const& hits, FanGroups const& groups, std::size_t a,
-                       std::size_t b);
+  /// Do two rays meet the same surfaces? @param groups null: there are none
+  static bool same_hit(geometry::FanHits const& hits, FanGroups const* groups, std::size_t a,
+                       std::size_t b) {
+    return hits.hit[a] == hits.hit[b]
+           && (groups == nullptr || same_group((*groups)[a], (*groups)[b]));
+  }
+  static bool same_group(geometry::HitGroup const* a, geometry::HitGroup const* b);
 
   /// The surface's normals at the hits; false where they are not the geometric ones.
   bool fan_normals(geometry::FanHits const& hits, std::size_t count, geometry::FanVectors& out);

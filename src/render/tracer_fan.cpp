@@ -76,8 +76,8 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
   Arena::Scope const scope(arena_);
   auto* hits = arena_.take<FanHits>(1);
   stage_.world->closest_fan(*fan.lines, fan.from, fan.mask, nullptr, *scratch_, *hits);
-  FanGroups groups;
-  find_groups(fan, nullptr, *hits, here, groups);
+  FanGroups found;
+  FanGroups const* const groups = find_groups(fan, nullptr, *hits, here, found) ? &found : nullptr;
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
     last = first + 1;
@@ -96,7 +96,7 @@ void Tracer::trace_fan(FanRay const& fan, Beam const& beam) {
 }
 
 void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hits,
-                          FanGroups const& groups, std::size_t first, std::size_t count,
+                          FanGroups const* groups, std::size_t first, std::size_t count,
                           Frame& here) {
   Arena::Scope const scope(arena_);
   FanRay run = fan;
@@ -119,12 +119,12 @@ void Tracer::interact_run(FanRay const& fan, Beam const& beam, FanHits const& hi
   auto* face = arena_.take<FanInterface>(1);
   bool const plain = !stage_.has_priorities && !stage_.has_leaks;
   if (plain && count > 1 && fan_normals(*found, count, face->normal)
-      && interact_fan(run, lanes, *found, groups[first], *face, here))
+      && interact_fan(run, lanes, *found, groups ? (*groups)[first] : nullptr, *face, here))
     return;
   for (int k = 0; k < static_cast<int>(count); ++k) {
     auto const place = static_cast<std::size_t>(k);
-    if (groups[first + place] != nullptr)
-      here.hit = *groups[first + place];
+    if (groups != nullptr && (*groups)[first + place] != nullptr)
+      here.hit = *(*groups)[first + place];
     else
       found->write(place, here.hit);
     arrive(run.lane(k), lanes.ray(k, fan.lanes_each), here, true);

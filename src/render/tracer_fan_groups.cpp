@@ -25,14 +25,18 @@ bool same_surfaces(geometry::HitGroup const& a, geometry::HitGroup const& b) {
 
 } // namespace
 
-void Tracer::find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits,
+bool Tracer::find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits,
                          Frame& here, FanGroups& groups) {
+  auto const is_unclear = [](geometry::FanHit const& hit) {
+    return hit.kind == geometry::FanHit::Kind::Unclear;
+  };
+  if (std::none_of(hits.hit, hits.hit + fan.lines->count, is_unclear)) return false;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
   for (std::size_t k = 0; k < fan.lines->count; ++k) {
     groups[k] = nullptr;
     geometry::FanHit& hit = hits.hit[k];
-    if (hit.kind != geometry::FanHit::Kind::Unclear) continue;
+    if (!is_unclear(hit)) continue;
     if (here.groups.size() == number) here.groups.emplace_back();
     geometry::HitGroup& group = here.groups[number++];
     double const until = t_max == nullptr ? infinity : t_max[k];
@@ -55,13 +59,12 @@ void Tracer::find_groups(FanRay const& fan, double const* t_max, geometry::FanHi
     hits.point.set(k, group.point);
     hits.point_error.set(k, group.point_error);
   }
+  return true;
 }
 
-bool Tracer::same_hit(geometry::FanHits const& hits, FanGroups const& groups, std::size_t a,
-                      std::size_t b) {
-  if (!(hits.hit[a] == hits.hit[b]) || (groups[a] == nullptr) != (groups[b] == nullptr))
-    return false;
-  return groups[a] == nullptr || same_surfaces(*groups[a], *groups[b]);
+bool Tracer::same_group(geometry::HitGroup const* a, geometry::HitGroup const* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return same_surfaces(*a, *b);
 }
 
 } // namespace abbe::render
