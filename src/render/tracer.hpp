@@ -170,8 +170,7 @@ private:
 
   // tracer_fan_groups.cpp
   /// What the rays meet that is Unclear; their hits become that of the surface that is shown.
-  /// @param t_max by ray; null: infinite
-  /// @param here keeps the groups
+  /// @param t_max by ray; null: infinite @param here keeps the groups
   /// @return false where nothing is Unclear: then nothing is written
   bool find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits, Frame& here,
                    FanGroups& groups);
