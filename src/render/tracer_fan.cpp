@@ -327,7 +327,8 @@ double* Tracer::share(FanMet const& at, Beam& light, LaneInterface& face, double
 
 void Tracer::go_on(FanMet const& at, Beam const& back, Beam const& through, LaneInterface& face,
                    SplitWays const& ways) {
-  auto const& [fan, hits, met, after, here] = at;
+  auto const& [fan, met_hits, met, after, here] = at;
+  FanHits const& hits = met_hits; // clang 14 lets no lambda have a structured binding
   std::size_t const n = fan.lines->count;
   int const each = fan.lanes_each;
   auto const lines_towards = [&](geometry::FanVectors const& direction) {
