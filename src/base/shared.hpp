@@ -33,6 +33,8 @@ public:
     return *value_;
   }
   void reset() { value_.reset(); }
+  /// Have both the value that the other has?
+  bool shares(Shared const& other) const { return value_ && value_ == other.value_; }
   /// Equal for those that share; null for none.
   std::shared_ptr<T const> held() const { return value_; }
 

@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace abbe::cli {
 namespace {
 
@@ -166,7 +168,7 @@ int render_scene(RenderArguments& arguments) {
 
   Stopwatch const all;
   int status = 0;
-  lang::Evaluated const* const evaluated = load_scene(arguments.scene, status);
+  lang::Evaluated* const evaluated = load_scene(arguments.scene, status);
   if (!evaluated) return status;
   render::RenderOptions& options = arguments.options;
   options.width = arguments.scene.width;
@@ -200,7 +202,7 @@ int render_scene(RenderArguments& arguments) {
   Output output(arguments, *plan, passes);
   options.on_rows = [&output](image::Image const& rows) { return output.write(rows); };
   RenderStats stats{arguments.scene.scene, all.wall_s(), all.cpu_s()};
-  auto const result = render::render(evaluated->scene, *plan, options);
+  auto const result = render::render(std::move(evaluated->scene), *plan, options);
   bar.finish();
   if (result.interrupted) return say_interrupted(arguments, checkpoint.get());
   if (result.bad_sample) {

@@ -119,14 +119,14 @@ std::string parse_duration(std::string const& text, double& seconds) {
 
 namespace {
 
-lang::Evaluated const* kept(lang::Evaluated&& evaluated) {
-  static auto* const all = new std::vector<lang::Evaluated const*>; // never destroyed
+lang::Evaluated* kept(lang::Evaluated&& evaluated) {
+  static auto* const all = new std::vector<lang::Evaluated*>; // never destroyed
   return all->emplace_back(new lang::Evaluated(std::move(evaluated)));
 }
 
 } // namespace
 
-lang::Evaluated const* load_scene(SceneArguments const& arguments, int& status) {
+lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   catch_interrupts();
   lang::EvaluateOptions options;
   options.stdlib_dir = stdlib_dir();

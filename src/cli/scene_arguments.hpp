@@ -39,7 +39,7 @@ std::string parse_duration(std::string const& text, double& seconds);
 /// Evaluates the scene and prints its diagnostics and messages.
 /// @return the scene, which stays until the program ends (to take a large one apart, object by
 /// object, would be for nothing), or nullptr and the exit status in `status`
-lang::Evaluated const* load_scene(SceneArguments const& arguments, int& status);
+lang::Evaluated* load_scene(SceneArguments const& arguments, int& status);
 
 /// What the command line overrides.
 plan::Overrides overrides_of(SceneArguments const& arguments);

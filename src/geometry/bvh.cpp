@@ -5,6 +5,7 @@
 #include "geometry/treelets.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -26,6 +27,7 @@ Four load(float const* from) {
   std::memcpy(&out, from, sizeof out);
   return out;
 }
+using FourPlaces = std::int32_t __attribute__((vector_size(16)));
 Four all_of(float x) {
   return Four{x, x, x, x};
 }
@@ -58,7 +60,8 @@ struct Box {
 
 private:
   double extent(int axis) const {
-    return std::fmax(-static_cast<double>(side(axis + 3)) - static_cast<double>(side(axis)), 0.0);
+    double const wide = -static_cast<double>(side(axis + 3)) - static_cast<double>(side(axis));
+    return wide > 0 ? wide : 0; // of no item: -infinity
   }
 };
 
@@ -140,18 +143,24 @@ struct Builder {
     std::uint32_t count = 0;
   };
 
-  /// Bins of the same width along an axis.
+  /// Bins of the same width along each axis.
   struct Grid {
-    int axis;
-    float low, per_extent;
-    Grid(Extent const& extent, int along)
-        : axis(along),
-          low(extent.low[along]),
-          per_extent(static_cast<float>(bins) / (extent.high[along] - low)) {}
+    Four low, per_extent;
+    explicit Grid(Extent const& extent)
+        : low(extent.low), per_extent(all_of(bins) / (extent.high - low)) {}
     /// Not where all centres are the same, or so near that the width of a bin has no inverse.
-    bool usable() const { return per_extent < std::numeric_limits<float>::infinity(); }
-    int operator()(BvhBox const& ref) const {
-      return std::min(bins - 1, static_cast<int>((ref.middle(axis) - low) * per_extent));
+    bool usable(int axis) const {
+      return per_extent[axis] < std::numeric_limits<float>::infinity();
+    }
+    /// Of the usable axes; else a number.
+    FourPlaces operator()(Four const& middle) const {
+      auto const place = __builtin_convertvector((middle - low) * per_extent, FourPlaces);
+      FourPlaces const highest = {bins - 1, bins - 1, bins - 1, bins - 1};
+      return place < highest ? place : highest;
+    }
+    int operator()(BvhBox const& ref, int axis) const {
+      return std::min(bins - 1,
+                      static_cast<int>((ref.middle(axis) - low[axis]) * per_extent[axis]));
     }
   };
   static int widest_axis(Extent const& extent) {
@@ -188,45 +197,56 @@ struct Builder {
 
   Plane best_plane_of_many(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
     static constexpr int every[bins] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    Plane best;
-    for (int axis = 0; axis < 3; ++axis) {
-      Grid const grid(extent, axis);
-      if (!grid.usable()) continue;
-      std::array<Bin, bins> binned;
-      for (std::uint32_t i = begin; i < end; ++i) {
-        Bin& bin = binned[static_cast<std::size_t>(grid(refs[i]))];
-        bin.box.grow(Sides(refs[i]));
+    Grid const grid(extent);
+    std::array<std::array<Bin, bins>, 3> binned;
+    bool const usable[3] = {grid.usable(0), grid.usable(1), grid.usable(2)};
+    for (std::uint32_t i = begin; i < end; ++i) {
+      Sides const sides(refs[i]);
+      FourPlaces const at = grid(sides.middle());
+      for (int axis = 0; axis < 3; ++axis) {
+        if (!usable[axis]) continue;
+        Bin& bin = binned[static_cast<std::size_t>(axis)][static_cast<std::size_t>(at[axis])];
+        bin.box.grow(sides);
         ++bin.count;
       }
-      better_plane(axis, binned, every, best);
+    }
+    Plane best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (usable[axis]) better_plane(axis, binned[static_cast<std::size_t>(axis)], every, best);
     }
     return best;
   }
 
   /// The same plane.
   Plane best_plane_of_few(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
+    Grid const grid(extent);
+    std::uint32_t const count = end - begin;
+    std::int32_t at[few][4];
+    for (std::uint32_t i = 0; i < count; ++i) {
+      FourPlaces const place = grid(Sides(refs[begin + i]).middle());
+      std::memcpy(at[i], &place, sizeof place);
+    }
     Plane best;
+    std::array<Bin, few> binned;
     for (int axis = 0; axis < 3; ++axis) {
-      Grid const grid(extent, axis);
-      if (!grid.usable()) continue;
-      std::array<int, few> at{};
+      if (!grid.usable(axis)) continue;
       std::uint32_t filled = 0; // bins that have items, as bits
-      for (std::uint32_t i = begin; i < end; ++i) filled |= 1U << (at[i - begin] = grid(refs[i]));
-      std::array<int, bins> place{};
-      std::array<std::size_t, bins> rank{};
+      for (std::uint32_t i = 0; i < count; ++i) filled |= 1U << at[i][axis];
+      int place[bins];
+      std::uint8_t rank[bins];
       std::size_t size = 0;
-      for (std::size_t b = 0; b < bins; ++b) {
-        rank[b] = size;
-        place[size] = static_cast<int>(b);
-        size += (filled >> b) & 1U; // at most b + 1
+      for (; filled != 0; filled &= filled - 1) {
+        int const b = std::countr_zero(filled);
+        rank[b] = static_cast<std::uint8_t>(size);
+        place[size] = b;
+        binned[size++] = {};
       }
-      std::array<Bin, few> binned;
-      for (std::uint32_t i = begin; i < end; ++i) {
-        Bin& bin = binned[rank[static_cast<std::size_t>(at[i - begin])]];
-        bin.box.grow(Sides(refs[i]));
+      for (std::uint32_t i = 0; i < count; ++i) {
+        Bin& bin = binned[rank[at[i][axis]]];
+        bin.box.grow(Sides(refs[begin + i]));
         ++bin.count;
       }
-      better_plane(axis, {binned.data(), size}, place.data(), best);
+      better_plane(axis, {binned.data(), size}, place, best);
     }
     return best;
   }
@@ -234,8 +254,8 @@ struct Builder {
   /// As std::partition, with what is known of both parts.
   std::uint32_t part(std::uint32_t begin, std::uint32_t end, Plane const& plane,
                      Extent const& extent, Extent& left, Extent& right) {
-    Grid const grid(extent, plane.axis);
-    auto const is_left = [&](BvhBox const& ref) { return grid(ref) <= plane.bin; };
+    Grid const grid(extent);
+    auto const is_left = [&](BvhBox const& ref) { return grid(ref, plane.axis) <= plane.bin; };
     std::uint32_t from = begin, to = end;
     for (;; ++from) {
       for (; from != to && is_left(refs[from]); ++from) left.grow(refs[from]);
@@ -282,7 +302,8 @@ Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_si
   auto const count = static_cast<std::uint32_t>(boxes.size());
   nodes_.reserve(count);
   std::vector<Treelet> runs;
-  if (count >= treelets_from) runs = make_treelets(boxes, treelet_size);
+  if (count >= treelets_from && count <= most_in_treelets)
+    runs = make_treelets(boxes, treelet_size);
   Builder builder{std::move(boxes), leaf_size, nodes_};
   if (count == 1) {
     builder.build_single();

@@ -23,6 +23,7 @@ void FanLines::fill() {
 
 void FanHits::copy(std::size_t to, FanHits const& from, std::size_t k) {
   hit[to] = from.hit[k];
+  if (hit[to].kind == FanHit::Kind::Pair) pair[to] = from.pair[k];
   t[to] = from.t[k];
   error[to] = from.error[k];
   point.set(to, from.point.get(k));
@@ -46,7 +47,8 @@ namespace {
 template <class L>
 void find_points(FanLines const& rays, FanNearest const& nearest, FanHits& out) {
   lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
-    auto const t = lane::load<Lanes>(nearest.t + at), error = lane::load<Lanes>(nearest.error + at);
+    auto const t = lane::load<Lanes>(nearest.first.t + at),
+               error = lane::load<Lanes>(nearest.first.error + at);
     lane::store(out.t + at, t);
     lane::store(out.error + at, error);
     auto const along = [&](double const* origin, double const* direction, double* point,
@@ -63,27 +65,44 @@ void find_points(FanLines const& rays, FanNearest const& nearest, FanHits& out) 
   });
 }
 
+SurfaceCrossing crossing_of(FanProposal const& proposal, FanNearest::Crossing const& found,
+                            std::size_t k) {
+  bool const entering = (found.entering[k] != 0) != proposal.inverse;
+  return {proposal.solid, proposal.primitive, static_cast<std::uint32_t>(found.face[k]),
+          found.t[k],     entering,           proposal.toggles};
+}
+
 /// What is known of the surfaces.
 void write_hits(std::size_t count, FanNearest const& nearest,
                 std::vector<FanProposal> const& proposals, FanHits& out) {
+  auto const proposal_of = [&](FanNearest::Crossing const& found, std::size_t k) -> auto const& {
+    return proposals[static_cast<std::size_t>(found.proposal[k])];
+  };
   for (std::size_t k = 0; k < count; ++k) {
     FanHit& hit = out.hit[k];
     hit = {};
-    if (nearest.proposal[k] < 0) continue;
-    FanProposal const& proposal = proposals[static_cast<std::size_t>(nearest.proposal[k])];
-    // Crossings of other solids within the error of the nearest make a group.
-    bool const single = proposal.alone && !(nearest.next[k] <= nearest.end[k]);
-    if (!single) {
-      hit.kind = FanHit::Kind::Unclear;
-      continue;
+    if (!nearest.found(k)) continue;
+    FanProposal const& proposal = proposal_of(nearest.first, k);
+    hit.kind = FanHit::Kind::Unclear;
+    if (!proposal.alone) continue;
+    if (nearest.single(k)) {
+      hit.kind = FanHit::Kind::Single;
+      hit.was_entering = nearest.first.entering[k] != 0;
+      hit.entering = hit.was_entering != proposal.inverse;
+      hit.toggles = proposal.toggles;
+      hit.solid = proposal.solid;
+      hit.primitive = proposal.primitive;
+      hit.face = static_cast<std::uint32_t>(nearest.first.face[k]);
+    } else if (nearest.pair(k) && proposal_of(nearest.second, k).alone) {
+      hit.kind = FanHit::Kind::Pair;
+      FanPair& pair = out.pair[k];
+      FanNearest::Crossing const* const found[] = {&nearest.first, &nearest.second};
+      for (std::size_t i = 0; i < 2; ++i) {
+        pair.crossing[i] = crossing_of(proposal_of(*found[i], k), *found[i], k);
+        pair.error[i] = found[i]->error[k];
+        pair.was_entering[i] = found[i]->entering[k] != 0;
+      }
     }
-    hit.kind = FanHit::Kind::Single;
-    hit.was_entering = nearest.entering[k] != 0;
-    hit.entering = hit.was_entering != proposal.inverse;
-    hit.toggles = proposal.toggles;
-    hit.solid = proposal.solid;
-    hit.primitive = proposal.primitive;
-    hit.face = static_cast<std::uint32_t>(nearest.face[k]);
   }
 }
 
@@ -225,7 +244,7 @@ void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double 
     Nearest nearest(behind.count, reach);
     find_fan(behind, &scratch.through, mask, scratch, nearest);
     for (std::size_t i = 0; i < behind.count; ++i)
-      if (!(nearest.proposal[i] < 0)) hits.hit[place[i]].kind = FanHit::Kind::Unclear;
+      if (nearest.found(i)) hits.hit[place[i]].kind = FanHit::Kind::Unclear;
   }
 }
 
@@ -243,7 +262,7 @@ void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8
   Impl::Nearest nearest(rays.count, t_max);
   impl_->find_fan(rays, from, mask, scratch, nearest);
   for (std::size_t k = 0; k < rays.count; ++k) {
-    clear[k] = nearest.proposal[k] < 0;
+    clear[k] = !nearest.found(k);
     blocked[k] = !clear[k] && nearest.end[k] < t_max[k];
   }
 }

@@ -49,6 +49,7 @@ struct FanHit {
   enum class Kind : std::uint8_t {
     Nothing,
     Single, ///< one crossing, of one primitive, clear of all others
+    Pair,   ///< two, of two solids, within their errors: World::closest_pair
     Unclear ///< a group of several: ask World::closest
   };
   Kind kind = Kind::Nothing;
@@ -60,9 +61,17 @@ struct FanHit {
   bool operator==(FanHit const&) const = default;
 };
 
+/// The nearest crossing, and the one that is in a group with it.
+struct FanPair {
+  SurfaceCrossing crossing[2];
+  double error[2];
+  bool was_entering[2];
+};
+
 /// What the rays of a fan meet first.
 struct FanHits {
   FanHit hit[fan_width];
+  FanPair pair[fan_width];                           ///< of Pairs
   alignas(32) double t[fan_width], error[fan_width]; ///< of Single ones
   FanVectors point, point_error;                     ///< as in HitGroup
   void copy(std::size_t to, FanHits const& from, std::size_t k);

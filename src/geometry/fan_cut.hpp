@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/convex_cut.hpp"
+#include "geometry/plane_filter.hpp"
 #include "geometry/shapes/convex.hpp"
 
 /// ConvexCut for the rays of a fan, one a lane: the half-spaces one after the other, each for all
@@ -53,33 +54,15 @@ struct CutEnd {
   Mask found;       ///< not unclear, and there is one
   L place;          ///< of the half-spaces; beyond their number: of the other operands
   L t, error, face; ///< of the other operands alone
+  L after;          ///< where the next one begins, or before
   Mask enters;      ///< the solid
 };
 
-/// What ConvexCut::apply_departure finds for all rays of a fan alike.
-struct CutDeparture {
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t plane = none; ///< that they start on
-  bool to_inside = false;
-  bool unclear = false; ///< more than one, or one twice
-};
-inline CutDeparture departure_of(HalfSpaces const& planes, Departure const* from) {
-  CutDeparture out;
-  if (from == nullptr) return out;
-  for (Departure::On const& on : from->on) {
-    std::size_t const k = planes.place_of(on.primitive);
-    if (k == CutDeparture::none) continue;
-    out.unclear = out.unclear || out.plane != CutDeparture::none;
-    out.plane = k;
-    out.to_inside = (on.was_entering == from->through) != planes.outside_counts(k);
-  }
-  return out;
-}
-
+/// @param listed the half-spaces that count for these rays; null: all
 template <class L>
 CutEnd<L> first_end_of(ConvexCut const& cut, std::vector<Placed> const& primitives,
                        LaneRays<L> const& rays, Departure const* from,
-                       CutDeparture const& departure) {
+                       CutDeparture const& departure, PlaneList const* listed) {
   L const zero(0.0), one(1.0);
   HalfSpaces const& planes = cut.planes();
   auto nothing = one < zero, unclear = nothing;
@@ -89,7 +72,9 @@ CutEnd<L> first_end_of(ConvexCut const& cut, std::vector<Placed> const& primitiv
       rays.origin, from != nullptr ? rays.origin_error : lane::Vec<L>{zero, zero, zero});
   L const per_t = planes.per_t_of(rays.direction);
   L const slow = L(HalfSpaces::clear_factor) * per_t;
-  for (std::size_t k = 0; k < planes.count(); ++k) {
+  std::size_t const count = listed != nullptr ? listed->count : planes.count();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t const k = listed != nullptr ? listed->place[i] : i;
     auto const [normal, level] = planes.plane(k);
     lane::Vec<L> const n{L(normal.x), L(normal.y), L(normal.z)};
     L const height = lane::dot(n, rays.origin) - L(level);
@@ -153,6 +138,7 @@ CutEnd<L> first_end_of(ConvexCut const& cut, std::vector<Placed> const& primitiv
   end.t = choose(in.t(), out.t());
   end.error = choose(in.error(), out.error());
   end.face = choose(in_face, out_face);
+  end.after = choose(out.first_begin(), L(infinity));
   return end;
 }
 

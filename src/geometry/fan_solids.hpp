@@ -14,20 +14,40 @@ namespace abbe::geometry {
 
 /// The rays' nearest crossings so far. What is kept of the surface is the number of its proposal.
 struct World::Impl::Nearest {
-  alignas(32) double t[fan_width], begin[fan_width], end[fan_width], error[fan_width];
-  alignas(32) double next[fan_width]; ///< where the first of the other crossings may begin
-  alignas(32) double face[fan_width], entering[fan_width], proposal[fan_width];
-
+  /// A crossing of each ray.
+  struct Crossing {
+    alignas(32) double t[fan_width], error[fan_width];
+    alignas(32) double face[fan_width], entering[fan_width], proposal[fan_width];
+  };
+  Crossing first;
+  alignas(32) double begin[fan_width], end[fan_width]; ///< of its error interval
+  /// Of the others that were within the error of the first when they were met, that which begins
+  /// first; `second_begin` tells whether there is one.
+  Crossing second;
+  alignas(32) double second_begin[fan_width];
+  alignas(32) double third_begin[fan_width]; ///< of all others
+  alignas(32) double after[fan_width]; ///< no solid has another crossing that begins before this
   alignas(32) double until[fan_width];
 
   Nearest(std::size_t count, double const* t_max) {
     for (std::size_t k = 0; k < (count + 3) / 4 * 4; ++k) {
       until[k] = t_max == nullptr ? everywhere : t_max[std::min(k, count - 1)];
-      t[k] = begin[k] = next[k] = everywhere;
+      first.t[k] = begin[k] = everywhere;
+      second_begin[k] = third_begin[k] = after[k] = everywhere;
       end[k] = until[k];
-      error[k] = face[k] = entering[k] = 0;
-      proposal[k] = -1;
+      first.error[k] = first.face[k] = first.entering[k] = 0;
+      first.proposal[k] = -1;
     }
+  }
+  bool found(std::size_t k) const { return !(first.proposal[k] < 0); }
+  /// Crossings of other solids within the error of the first make a group.
+  bool single(std::size_t k) const {
+    return !(second_begin[k] <= end[k]) && !(third_begin[k] <= end[k]);
+  }
+  /// Is that group of the two alone, whichever counts as the first?
+  bool pair(std::size_t k) const {
+    double const last = std::max(end[k], second.t[k] + second.error[k]);
+    return second_begin[k] <= end[k] && !(third_begin[k] <= last) && !(after[k] <= last);
   }
   double farthest(std::size_t count) const { return *std::max_element(end, end + count); }
 };
@@ -43,28 +63,49 @@ struct FanQuery {
 };
 
 /// A crossing that begins before the nearest's interval ends takes its place, or crowds it.
+/// @param after where the solid's next one begins, or before
 template <class L, class M>
 void propose(FanNearest& nearest, std::size_t at, M const& valid, L const& t, L const& error,
-             L const& face, L const& entering, double number) {
+             L const& face, L const& entering, L const& after, double number) {
   using lane::load, lane::select, lane::store;
-  L const begin = t - error, best_t = load<L>(nearest.t + at);
-  auto const counts = lane::both(lane::both(valid, t < load<L>(nearest.until + at)),
-                                 begin <= load<L>(nearest.end + at));
+  L const begin = t - error, best_t = load<L>(nearest.first.t + at);
+  L const old_end = load<L>(nearest.end + at);
+  auto const counts =
+      lane::both(lane::both(valid, t < load<L>(nearest.until + at)), begin <= old_end);
   if (lane::none(counts)) return;
   auto const nearer = lane::both(counts, t < best_t);
-  L const old_begin = load<L>(nearest.begin + at), next = load<L>(nearest.next + at);
-  L const crowding = lane::min(next, select(nearer, old_begin, begin));
-  store(nearest.next + at, select(counts, crowding, next));
+  L const old_begin = load<L>(nearest.begin + at), end = select(nearer, t + error, old_end);
+  L const lost_begin = select(nearer, old_begin, begin);
+  L third = load<L>(nearest.third_begin + at);
+  auto crowds = lane::both(counts, lost_begin <= end);
+  if (!lane::none(crowds)) { // few rays
+    L const second = load<L>(nearest.second_begin + at);
+    crowds = lane::both(crowds, lost_begin < second);
+    third = select(crowds, lane::min(third, second), third);
+    store(nearest.second_begin + at, select(crowds, lost_begin, second));
+    auto const keep = [&](double* to, double const* first, L const& value) {
+      store(to + at, select(crowds, select(nearer, load<L>(first + at), value), load<L>(to + at)));
+    };
+    keep(nearest.second.t, nearest.first.t, t);
+    keep(nearest.second.error, nearest.first.error, error);
+    keep(nearest.second.face, nearest.first.face, face);
+    keep(nearest.second.entering, nearest.first.entering, entering);
+    keep(nearest.second.proposal, nearest.first.proposal, L(number));
+  }
+  auto const aside = lane::both(counts, lane::negate(crowds));
+  store(nearest.third_begin + at, select(aside, lane::min(third, lost_begin), third));
+  L const old_after = load<L>(nearest.after + at);
+  store(nearest.after + at, select(counts, lane::min(old_after, after), old_after));
+  store(nearest.end + at, end);
   auto const keep = [&](double* to, L const& value) {
     store(to + at, select(nearer, value, load<L>(to + at)));
   };
-  keep(nearest.t, t);
+  keep(nearest.first.t, t);
   keep(nearest.begin, begin);
-  keep(nearest.end, t + error);
-  keep(nearest.error, error);
-  keep(nearest.face, face);
-  keep(nearest.entering, entering);
-  keep(nearest.proposal, L(number));
+  keep(nearest.first.error, error);
+  keep(nearest.first.face, face);
+  keep(nearest.first.entering, entering);
+  keep(nearest.first.proposal, L(number));
 }
 
 template <class L>
@@ -83,8 +124,10 @@ void propose_convex(FanQuery const& query, Placed const& placed, EndsKernel cons
                start, ends);
     FirstEnd<Lanes> const first = first_end(ends, start == nullptr && query.from != nullptr);
     if (lane::none(first.valid)) return;
+    Lanes const leaves = ends.out_t - Lanes(group_margin) * ends.out_error;
     propose<Lanes>(query.nearest, at, first.valid, first.t, Lanes(group_margin) * first.error,
-                   first.face, lane::select(first.enters, Lanes(1.0), Lanes(0.0)), number);
+                   first.face, lane::select(first.enters, Lanes(1.0), Lanes(0.0)),
+                   lane::select(first.enters, leaves, Lanes(infinity)), number);
   });
 }
 
@@ -105,8 +148,10 @@ inline void propose_any(FanQuery const& query, World::Impl const& world, SolidId
         bool const was_entering = query.scratch.events[passage.first].entering;
         query.proposals.push_back({id, crossing.primitive, crossing.entering != was_entering,
                                    passage.last - passage.first == 1, crossing.toggles});
+        // Its next one is not asked for.
         propose<double>(query.nearest, k, true, crossing.t, passage.error, crossing.face,
-                        was_entering ? 1.0 : 0.0, static_cast<double>(query.proposals.size() - 1));
+                        was_entering ? 1.0 : 0.0, crossing.t - passage.error,
+                        static_cast<double>(query.proposals.size() - 1));
         return false;
       });
 }
@@ -139,19 +184,21 @@ LaneRays<L> lines_at(FanLines const& rays, std::size_t at) {
 /// The intersection of convex operands: the first end after the start of some of the rays.
 template <class L>
 void propose_cut_at(FanQuery const& query, World::Impl const& world, SolidId id,
-                    ConvexCut const& cut, CutDeparture const& departure, std::size_t at) {
+                    ConvexCut const& cut, CutDeparture const& departure, PlaneList const* listed,
+                    std::size_t at) {
   L const zero(0.0), one(1.0), far(infinity);
   HalfSpaces const& planes = cut.planes();
   std::vector<FanProposal>& proposals = query.proposals;
   LaneRays<L> const lines = lines_at<L>(query.rays, at);
-  CutEnd<L> const first = first_end_of<L>(cut, world.primitives, lines, query.from, departure);
+  CutEnd<L> const first =
+      first_end_of<L>(cut, world.primitives, lines, query.from, departure, listed);
   auto const ask = [&](std::size_t i) {
     auto const here = lane::both(first.found, first.place == L(static_cast<double>(i)));
     double const number = static_cast<double>(proposals.size());
     if (i >= planes.count()) {
       proposals.push_back({id, cut.others()[i - planes.count()].primitive, false, true, true});
       propose<L>(query.nearest, at, here, first.t, first.error, first.face,
-                 lane::select(first.enters, one, zero), number);
+                 lane::select(first.enters, one, zero), first.after, number);
       return;
     }
     PrimitiveId const primitive = planes.primitives()[i];
@@ -164,7 +211,7 @@ void propose_cut_at(FanQuery const& query, World::Impl const& world, SolidId id,
     L const error = lane::select(entering, ends.in_error, ends.out_error);
     proposals.push_back({id, primitive, planes.outside_counts(i), true, true});
     propose<L>(query.nearest, at, lane::both(here, lane::abs(t) < far), t, L(group_margin) * error,
-               zero, lane::select(entering, one, zero), number);
+               zero, lane::select(entering, one, zero), first.after, number);
   };
   propose_places<L>(query, world, id, at, first.unclear, first.found, first.place, ask);
 }
@@ -176,9 +223,19 @@ void propose_cut(FanQuery const& query, World::Impl const& world, SolidId id,
     for (std::size_t k = 0; k < query.rays.count; ++k) propose_any(query, world, id, k);
     return;
   }
-  lane::in_lanes<L>(query.rays.count, [&]<class Lanes>(std::size_t at) {
-    propose_cut_at<Lanes>(query, world, id, cut, departure, at);
-  });
+  HalfSpaces const& planes = cut.planes();
+  bool const filters = planes.count() >= PlaneList::least && planes.count() <= PlaneList::most;
+  PlaneList listed;
+  std::size_t const step = filters ? filter_rays : query.rays.count;
+  for (std::size_t first = 0; first < query.rays.count; first += step) {
+    if (filters)
+      list_planes<typename lane::FloatsOf<L>::Type>(planes, query.rays, query.from, departure,
+                                                    first, listed);
+    lane::in_lanes<L>(std::min(step, query.rays.count - first), [&]<class Lanes>(std::size_t at) {
+      propose_cut_at<Lanes>(query, world, id, cut, departure, filters ? &listed : nullptr,
+                            first + at);
+    });
+  }
 }
 
 /// Any boolean tree that lane_tree.hpp can be asked of.
@@ -200,7 +257,7 @@ void propose_tree(FanQuery const& query, World::Impl const& world, SolidId id, L
             double const number = static_cast<double>(query.proposals.size());
             query.proposals.push_back({id, tree.operands()[i].primitive, inverse, true, true});
             propose<Lanes>(query.nearest, at, mask, first.t, first.error, first.face, enters,
-                           number);
+                           first.after, number);
           };
           take(lane::both(here, straight), false);
           take(lane::both(here, lane::negate(straight)), true);

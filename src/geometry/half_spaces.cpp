@@ -164,6 +164,9 @@ void HalfSpaces::add(PrimitiveId primitive, Placed const& placed, bool outside_c
   normal_y_.push_back(normal.y);
   normal_z_.push_back(normal.z);
   level_.push_back(level);
+  narrow_.push_back({static_cast<float>(normal.x), static_cast<float>(normal.y),
+                     static_cast<float>(normal.z), static_cast<float>(level)});
+  widest_level_ = std::max(widest_level_, std::fabs(level));
   offset_size_ = std::max(offset_size_, sum_of_sizes(placed.offset_size()));
 }
 

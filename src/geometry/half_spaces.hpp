@@ -50,6 +50,13 @@ public:
   Scaled plane(std::size_t k) const {
     return {{normal_x_[k], normal_y_[k], normal_z_[k]}, level_[k]};
   }
+  /// The same in floats.
+  struct Narrow {
+    float x, y, z, level;
+  };
+  Narrow const& narrow_plane(std::size_t k) const { return narrow_[k]; }
+  /// Largest size of a level.
+  double widest_level() const { return widest_level_; }
   /// at_rest() and per_t() of the planes here, for any lane type.
   template <class L>
   L at_rest_of(lane::Vec<L> const& origin, lane::Vec<L> const& origin_error) const {
@@ -98,6 +105,8 @@ private:
   /// normal . p - level <= 0, in the plane's own scale: the largest component of a bound on the
   /// absolute normal is 1. Filled up to whole lanes by repetition.
   std::vector<double> normal_x_, normal_y_, normal_z_, level_;
+  std::vector<Narrow> narrow_;
+  double widest_level_ = 0;
   double offset_size_ = 0; ///< largest sum of the components of Placed::offset_size()
 };
 

@@ -109,7 +109,12 @@ struct TreeEnd {
   Mask found;           ///< not unclear, and there is one
   Mask enters, entered; ///< the operand; the solid
   L operand, t, error, face;
+  L after; ///< where the next end of any operand begins, or before
 };
+
+/// Ends that are nearer to each other than so many times their errors are left to the way of single
+/// rays: more than 1, to know that another solid's crossing is clear of what follows.
+inline constexpr double clearance = 8;
 
 /// @param until lanes where the next end begins after it look no further
 template <class L>
@@ -142,7 +147,7 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
     inside[near.operand] = lane::both(met, begun);
   }
   Mask value = tree.value(inside), pending = zero < one;
-  TreeEnd<L> first{no, no, no, no, -one, far, zero, zero};
+  TreeEnd<L> first{no, no, no, no, -one, far, zero, zero, far};
   L done = zero; // how far along the line
   for (;;) {
     L t = far, error = zero, face = zero, place = -one, enters = zero, seen = zero;
@@ -167,7 +172,7 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
     for (std::size_t i = 0; i < count; ++i) {
       Ends<L> const& ends = all[i];
       auto const near = [&](L const& its_t, L const& its_error) {
-        return lane::select(lane::abs(its_t - t) <= its_error + error, one, zero);
+        return lane::select(lane::abs(its_t - t) <= L(clearance) * (its_error + error), one, zero);
       };
       crowd = crowd + near(ends.in_t, ends.in_error) + near(ends.out_t, ends.out_error);
       inside[operands.near[i].operand] = lane::both(ends.in_t <= t, t < ends.out_t);
@@ -185,6 +190,7 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
     first.operand = lane::select(shown, place, first.operand);
     first.t = lane::select(shown, t, first.t);
     first.error = lane::select(shown, error, first.error);
+    first.after = lane::select(shown, t + L(clearance) * error, first.after);
     first.face = lane::select(shown, face, first.face);
     pending = lane::both(pending, lane::negate(shown));
     if (lane::none(pending)) return first;

@@ -70,6 +70,7 @@ struct HitGroup {
 
 struct FanLines;
 struct FanHits;
+struct FanPair;
 
 /// Scratch memory of one thread: nothing is allocated per ray once it has grown.
 class Scratch;
@@ -106,6 +107,9 @@ public:
   /// found Unclear.
   bool closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                      Scratch&, HitGroup& out) const;
+  /// The same for a ray whose group a fan found.
+  void closest_pair(Ray const& ray, FanPair const& pair, std::uint8_t mask, double t_max, Scratch&,
+                    HitGroup& out) const;
   /// closest() for each ray of a fan (fan.hpp), with the bits of each alone.
   /// @param rays at least one, filled up
   /// @param t_max by ray; null: infinite

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/shape.hpp"
+#include "geometry/fan.hpp"
 #include "scene/scene.hpp"
 
 namespace abbe::render {
@@ -10,6 +10,10 @@ namespace abbe::render {
 /// @param x, y in pixels, (0, 0) the upper left corner of the picture
 /// @source language notes, section 12
 geometry::Ray camera_ray(scene::Camera const& camera, double x, double y, int width, int height);
+
+/// The same for some points side by side, with the same bits. @param rays as many as `count` says
+void camera_rays(scene::Camera const& camera, double const* x, double const* y, int width,
+                 int height, geometry::FanLines& rays);
 
 /// How large a pixel is at a point that it shows, in scene units: the point's distance from the
 /// camera decides, so that what is seen in a mirror counts as nearer than it is.

@@ -71,13 +71,4 @@ Channels ColourCompiler::light(scene::Colour const& colour) {
   return times_rgb(colour, std::move(values));
 }
 
-CompiledColour ColourCompiler::pigment(scene::Colour const& colour) {
-  CompiledColour out;
-  out.value = reflectance(colour);
-  out.filter = colour.filter;
-  out.transmit = colour.transmit;
-  out.maximum = *std::max_element(out.value.begin(), out.value.end());
-  return out;
-}
-
 } // namespace abbe::render

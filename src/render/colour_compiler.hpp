@@ -24,7 +24,6 @@ public:
   Channels reflectance(scene::Colour const& colour);
   /// Light: rgb is a multiple of D65.
   Channels light(scene::Colour const& colour);
-  CompiledColour pigment(scene::Colour const& colour);
 
 private:
   /// What a colour is: light has no power in emission lines of its own.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace abbe::render {
 namespace {
@@ -54,7 +55,7 @@ void set_limits(scene::Settings const& settings, Stage& stage) {
   stage.max_trace_level = settings.max_trace_level.value_or(given ? 5 : default_level);
 }
 
-double largest(Channels const& channels) {
+double largest(std::span<double const> channels) {
   return channels.empty() ? 0 : *std::max_element(channels.begin(), channels.end());
 }
 
@@ -72,21 +73,22 @@ double brightest(Stage const& stage) {
   for (auto const& light : stage.lights)
     lamps += largest(light.value) * (light.fade_power > 0 && light.fade_distance != 0 ? 2 : 1);
   double surface = 0, pigment = 1;
-  for (auto const& layer : stage.layers)
-    surface = std::max(surface, own_light(layer.finish, lamps));
-  for (auto const& each : stage.pigments) pigment = std::max(pigment, each.colour.maximum);
+  for (auto const& finish : stage.finishes) surface = std::max(surface, own_light(finish, lamps));
+  auto const channels = static_cast<std::size_t>(stage.channels);
+  for (std::size_t at = 0; at < stage.colours.size(); at += channels)
+    pigment = std::max(pigment, largest({stage.colours.data() + at, channels}));
   double const sky = stage.sky_pigments.empty() ? 0 : largest(stage.sky_emission);
   double bound = std::max({pigment * surface, pigment * sky, largest(stage.background)});
   // `reflection { exponent }` adds a power of what it sees, which may be another such mirror. Where
   // that grows it is bounded by the levels that a path has; perhaps by nothing.
   for (int level = 0; level < stage.max_trace_level; ++level) {
     double next = bound;
-    for (auto const& layer : stage.layers) {
-      auto const& reflection = layer.finish.reflection;
+    for (auto const& finish : stage.finishes) {
+      auto const& reflection = finish.reflection;
       if (!reflection || reflection->exponent == 1) continue;
       double const most = std::max({largest(reflection->minimum), largest(reflection->maximum),
                                     reflection->metal_n.empty() ? 0.0 : 1.0});
-      next = std::max(next, pigment * own_light(layer.finish, lamps)
+      next = std::max(next, pigment * own_light(finish, lamps)
                                 + most * std::pow(bound, reflection->exponent));
     }
     if (!(next > bound)) break;
@@ -97,7 +99,9 @@ double brightest(Stage const& stage) {
 
 } // namespace
 
-Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
+namespace {
+
+Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan::Plan const& plan) {
   Stage stage;
   stage.spectral = plan.spectral;
   ColourCompiler colours(plan.spectral, plan::WorkingSpace(scene.settings));
@@ -114,9 +118,9 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   set_limits(scene.settings, stage);
   stage.opacity_version = scene.settings.version;
 
-  PigmentCompiler pigments(colours, stage.pigments);
+  PigmentCompiler pigments(colours, stage);
   MediaCompiler media(scene.settings, plan, colours, stage);
-  compile_objects(scene, plan, colours, pigments, media, stage);
+  compile_objects(scene, taken, plan, colours, pigments, media, stage);
   for (auto const& light : scene.lights)
     stage.lights.push_back(compile_light(light, scene.camera.location, colours));
   compile_sky(scene, pigments, colours, stage);
@@ -124,10 +128,20 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
   return stage;
 }
 
+} // namespace
+
+Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
+  return compile(scene, nullptr, plan);
+}
+
+Stage compile(scene::Scene&& scene, plan::Plan const& plan) {
+  return compile(scene, &scene.objects, plan);
+}
+
 bool Stage::mirrors(Surface const& surface) const {
-  auto const any = [&](std::vector<int> const& numbers) {
+  auto const any = [&](std::span<int const> numbers) {
     return std::any_of(numbers.begin(), numbers.end(), [&](int number) {
-      return layers[static_cast<std::size_t>(number)].finish.reflection.has_value();
+      return finish(layers[static_cast<std::size_t>(number)]).reflection.has_value();
     });
   };
   return any(surface.layers) || any(surface.interior_layers)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_objects.hpp"
 
+#include "base/give_back.hpp"
+#include "base/word_hash.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/world_builder.hpp"
 #include "render/finish_numbers.hpp"
 
 #include <algorithm>
 #include <span>
-#include <unordered_map>
 
 namespace abbe::render {
 namespace {
@@ -35,17 +36,21 @@ public:
         media_(media),
         stage_(stage) {}
 
-  void run() {
+  void run(std::deque<Object>* taken) {
     std::size_t const primitives = leaves(scene_.objects);
     world_.reserve(primitives, scene_.objects.size());
     stage_.surfaces.reserve(primitives);
-    stage_.solids.reserve(scene_.objects.size());
+    std::size_t const objects = scene_.objects.size();
+    stage_.solids.reserve(objects);
     auto left_out = plan_.out_of_reach.begin();
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    for (std::size_t i = 0; i < objects; ++i) {
       if (left_out != plan_.out_of_reach.end() && *left_out == i)
         ++left_out;
       else
-        for (auto& piece : pieces(scene_.objects[i])) add_solid(std::move(piece));
+        for (auto& piece : pieces(scene_.objects[taken ? 0 : i])) add_solid(std::move(piece));
+      if (!taken) continue;
+      taken->pop_front();
+      if (i % give_back_after == give_back_after - 1) give_back_memory();
     }
     bool const media_touch = plan_.has(plan::Effect::ContactOfMedia);
     stage_.world = std::make_unique<geometry::World>(
@@ -53,6 +58,9 @@ public:
   }
 
 private:
+  /// Objects, of some hundred bytes as a rule.
+  static constexpr std::size_t give_back_after = std::size_t{1} << 16;
+
   template <class Objects>
   static std::size_t leaves(Objects const& objects) {
     std::size_t count = 0;
@@ -202,10 +210,10 @@ private:
   Piece primitive(Object const& object) {
     Piece piece;
     piece.tree.primitive = world_.add({object.shape, object.placement.then(to_stage_)});
-    Surface surface;
+    SurfaceLayers surface;
     surface.double_illuminate = object.double_illuminate.value_or(false);
-    if (object.texture) surface.layers = layers(*object.texture);
-    if (object.interior_texture) surface.interior_layers = layers(*object.interior_texture);
+    if (object.texture) surface.layers = layers(object.texture);
+    if (object.interior_texture) surface.interior_layers = layers(object.interior_texture);
     for (auto const& face : object.face_textures) surface.face_layers.push_back(layers(face));
     piece.opaque = opaque(surface.layers)
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
@@ -235,43 +243,58 @@ private:
   /// Lets all light pass and adds none: what a glass without a texture has.
   bool invisible(int number) const {
     CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
-    CompiledFinish const& finish = layer.finish;
+    CompiledFinish const& finish = stage_.finish(layer);
     return pigments_.clear(layer.pigment) && finish.phong == 0 && finish.specular == 0
            && !finish.reflection;
+  }
+
+  std::vector<int> const& layers(scene::SharedLayers const& textures) {
+    // What many objects share often comes many times one after the other.
+    if (!textures.shares(latest_)) {
+      latest_layers_ = layers(*textures);
+      latest_ = textures;
+    }
+    return latest_layers_;
   }
 
   std::vector<int> layers(scene::Layers const& textures) {
     std::vector<int> out;
     out.reserve(textures.size());
-    for (auto const& texture : textures) {
-      bool const plain = !texture.pigment.pattern;
-      int const pigment = pigments_.add(texture.pigment);
-      if (!plain) {
-        out.push_back(add_layer(texture, pigment));
-        continue;
-      }
-      // Plain colours are the same everywhere: one layer for all that have the same finish.
-      auto const finish = static_cast<std::uint64_t>(finishes_.of(*texture.finish));
-      auto const [known, fresh] =
-          plain_layers_.try_emplace(static_cast<std::uint64_t>(pigment) << 32 | finish);
-      if (fresh) known->second = add_layer(texture, pigment);
-      out.push_back(known->second);
-    }
+    for (auto const& texture : textures) out.push_back(layer(texture));
     return out;
   }
 
-  int add_layer(scene::Texture const& texture, int pigment) {
+  int layer(scene::Texture const& texture) {
     CompiledLayer layer;
-    layer.pigment = pigment;
-    layer.finish = compile_finish(*texture.finish, scene_.settings, colours_);
-    if (plan_.is_off(scene::Switch::Reflection)) layer.finish.reflection.reset();
+    layer.pigment = pigments_.add(texture.pigment);
+    layer.finish = finish(texture.finish);
+    auto const fresh = static_cast<std::uint32_t>(stage_.layers.size());
     if (texture.pigment.pattern) {
       Transform const to_stage = texture.placement.then(to_stage_);
-      layer.to_texture_linear = to_stage.inverse_linear;
-      layer.to_texture_offset = to_stage.inverse_offset;
+      layer.space = static_cast<int>(stage_.texture_spaces.size());
+      stage_.texture_spaces.push_back({to_stage.inverse_linear, to_stage.inverse_offset});
+    } else {
+      // Plain colours are the same everywhere: one layer for all that have the same finish.
+      WordHash hash;
+      hash.add(static_cast<std::uint64_t>(layer.pigment) << 32
+               | static_cast<std::uint64_t>(layer.finish));
+      auto const known = plain_layers_.find_or_add(hash.value(), fresh, [&](std::uint32_t number) {
+        CompiledLayer const& other = stage_.layers[number];
+        return other.pigment == layer.pigment && other.finish == layer.finish;
+      });
+      if (known != fresh) return static_cast<int>(known);
     }
-    stage_.layers.push_back(std::move(layer));
-    return static_cast<int>(stage_.layers.size()) - 1;
+    stage_.layers.push_back(layer);
+    return static_cast<int>(fresh);
+  }
+
+  int finish(Shared<scene::Finish> const& finish) {
+    int const number = finishes_.of(finish);
+    if (static_cast<std::size_t>(number) == stage_.finishes.size()) {
+      stage_.finishes.push_back(compile_finish(*finish, scene_.settings, colours_));
+      if (plan_.is_off(scene::Switch::Reflection)) stage_.finishes.back().reflection.reset();
+    }
+    return number;
   }
 
   scene::Scene const& scene_;
@@ -283,14 +306,17 @@ private:
   Transform to_stage_ = Transform::translation(-scene_.camera.location);
   geometry::WorldBuilder world_;
   FinishNumbers finishes_;
-  std::unordered_map<std::uint64_t, int> plain_layers_; ///< by numbers of pigment and finish
+  NumberTable plain_layers_; ///< by numbers of pigment and finish
+  scene::SharedLayers latest_;
+  std::vector<int> latest_layers_; ///< of these
 };
 
 } // namespace
 
-void compile_objects(scene::Scene const& scene, plan::Plan const& plan, ColourCompiler& colours,
-                     PigmentCompiler& pigments, MediaCompiler& media, Stage& stage) {
-  ObjectCompiler(scene, plan, colours, pigments, media, stage).run();
+void compile_objects(scene::Scene const& scene, std::deque<Object>* taken, plan::Plan const& plan,
+                     ColourCompiler& colours, PigmentCompiler& pigments, MediaCompiler& media,
+                     Stage& stage) {
+  ObjectCompiler(scene, plan, colours, pigments, media, stage).run(taken);
 }
 
 } // namespace abbe::render

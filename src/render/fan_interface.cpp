@@ -86,28 +86,14 @@ void meet_each(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLan
   });
 }
 
-template <class L>
-void aim(FanVectors const& points, std::size_t count, Vec3 const& at, FanVectors& directions,
-         double* distances) {
-  lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
-    lane::Vec<Lanes> const place{Lanes(at.x), Lanes(at.y), Lanes(at.z)};
-    lane::Vec<Lanes> const way = place - load<Lanes>(points, k);
-    Lanes const distance = lane::sqrt(lane::dot(way, way));
-    lane::store(distances + k, distance);
-    store(directions, k, lane::Vec<Lanes>{way.x / distance, way.y / distance, way.z / distance});
-  });
-}
-
 /// The functions for the registers that the machine has.
 struct Kernels {
   void (*meet_same)(FanVectors const&, std::size_t, FanInterface&);
   void (*meet_other)(FanVectors const&, std::size_t, FanInterface&);
   void (*meet_each)(Vec3 const&, Vec3 const&, double, SplitLanes const&);
-  void (*aim)(FanVectors const&, std::size_t, Vec3 const&, FanVectors&, double*);
 };
 using lane::Double4;
-constexpr Kernels narrow_kernels = {meet<true, Double4>, meet<false, Double4>, meet_each<Double4>,
-                                    aim<Double4>};
+constexpr Kernels narrow_kernels = {meet<true, Double4>, meet<false, Double4>, meet_each<Double4>};
 #if ABBE_HAS_WIDE_LANES
 using lane::Wide4, lane::Wide8;
 template <bool Same>
@@ -123,27 +109,14 @@ ABBE_FOR_AVX2 void meet_each_wide(Vec3 const& direction, Vec3 const& normal, dou
                                   SplitLanes const& lanes) {
   meet_each<Wide4>(direction, normal, cos_i, lanes);
 }
-ABBE_FOR_AVX2 void aim_wide(FanVectors const& points, std::size_t count, Vec3 const& at,
-                            FanVectors& directions, double* distances) {
-  aim<Wide4>(points, count, at, directions, distances);
-}
-ABBE_FOR_AVX512 void aim_widest(FanVectors const& points, std::size_t count, Vec3 const& at,
-                                FanVectors& directions, double* distances) {
-  aim<Wide8>(points, count, at, directions, distances);
-}
 Kernels const native = geometry::for_registers<Kernels>(
-    narrow_kernels, {meet_wide<true>, meet_wide<false>, meet_each_wide, aim_wide},
-    {meet_widest<true>, meet_widest<false>, meet_each_wide, aim_widest});
+    narrow_kernels, {meet_wide<true>, meet_wide<false>, meet_each_wide},
+    {meet_widest<true>, meet_widest<false>, meet_each_wide});
 #else
 Kernels const native = narrow_kernels;
 #endif
 
 } // namespace
-
-void aim_fan(FanVectors const& points, std::size_t count, Vec3 const& at, FanVectors& directions,
-             double* distances) {
-  native.aim(points, count, at, directions, distances);
-}
 
 void meet_lanes(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes) {
   native.meet_each(direction, normal, cos_i, lanes);

@@ -36,9 +36,4 @@ struct SplitLanes {
 /// @param direction unit @param normal unit, against it
 void meet_lanes(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes);
 
-/// Unit directions from points to a place, and the distances, with the bits of towards()
-/// (shader.hpp); not numbers where the distance is 0. Whole lanes of four.
-void aim_fan(geometry::FanVectors const& points, std::size_t count, Vec3 const& at,
-             geometry::FanVectors& directions, double* distances);
-
 } // namespace abbe::render

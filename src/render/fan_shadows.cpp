@@ -34,32 +34,14 @@ FanShadows::Ways& FanShadows::aimed(CompiledLight const& light) {
   Ways& ways = ways_[&light - tracer_.stage_.lights.data()];
   if (ways.aimed) return ways;
   ways.aimed = true;
-  std::size_t const n = fan_.lines->count;
-  if (light.kind == scene::Light::Kind::Parallel) {
-    for (std::size_t k = 0; k < n; ++k) {
-      Vec3 direction;
-      ways.comes[k] = render::towards(light, hits_.point.get(k), direction, ways.distance[k]);
-      ways.direction.set(k, direction);
-    }
-    return ways;
-  }
-  aim_fan(hits_.point, n, light.position, ways.direction, ways.distance);
-  for (std::size_t k = 0; k < n; ++k) ways.comes[k] = ways.distance[k] != 0;
+  render::aim(light, hits_.point, normals_, fan_.lines->count, ways.aim);
   return ways;
 }
 
-bool FanShadows::towards(CompiledLight const& light, std::size_t lane, Vec3& direction,
-                         double& distance) {
-  Ways const& ways = aimed(light);
-  direction = ways.direction.get(lane);
-  distance = ways.distance[lane];
-  return ways.comes[lane];
-}
-
-FanShadows::Way FanShadows::way(CompiledLight const& light, std::size_t lane) {
+FanShadows::Way const* FanShadows::ways(CompiledLight const& light) {
   Ways& ways = aimed(light);
   if (!ways.known) find(ways);
-  return ways.way[lane];
+  return ways.way;
 }
 
 double const* FanShadows::left(CompiledLight const& light, std::size_t lane) const {
@@ -75,17 +57,17 @@ void FanShadows::find(Ways& out) {
   auto* lines = tracer_.arena_.take<geometry::FanLines>(1);
   bool through = false;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!out.comes[k]) return;
-    bool const beyond = glm::dot(normals_.get(k), out.direction.get(k)) < 0;
+    if ((out.aim.comes >> k & 1) == 0) return;
+    bool const beyond = out.aim.cosine[k] < 0;
     if (k > 0 && beyond != through) return; // the lamp is in the surface's plane
     through = beyond;
   }
   lines->count = n;
   lines->origin.take(hits_.point, n);
   lines->origin_error.take(hits_.point_error, n);
-  lines->direction.take(out.direction, n);
+  lines->direction.take(out.aim.direction, n);
   lines->fill();
-  double const* const to_lamp = out.distance;
+  double const* const to_lamp = out.aim.distance;
   frame_.shadow.on = frame_.hit.members;
   frame_.shadow.through = through;
   Stage const& stage = tracer_.stage_;
@@ -111,7 +93,7 @@ void FanShadows::find(Ways& out) {
   }
   bool const plain = !stage.has_priorities && !stage.has_leaks && tracer_.route_ == nullptr;
   if (!filters || !plain) return;
-  Filtered all{lines, &frame_.shadow, inside, out.distance, tracer_.arena_.take<std::size_t>(n),
+  Filtered all{lines, &frame_.shadow, inside, out.aim.distance, tracer_.arena_.take<std::size_t>(n),
                beam_};
   for (std::size_t k = 0; k < n; ++k) all.place[k] = k;
   all.light.throughput = tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/shade_lanes.hpp"
 #include "render/tracer.hpp"
 
 namespace abbe::render {
@@ -20,19 +21,17 @@ public:
     Filtered, ///< some light is left
     Blocked
   };
-  /// @param light one of the stage's, not shadowless
-  Way way(CompiledLight const& light, std::size_t lane);
+  /// By ray. @param light one of the stage's, not shadowless
+  Way const* ways(CompiledLight const& light);
   /// What is left of its light on a ray's way that is Filtered, a value a lane of the ray.
   double const* left(CompiledLight const& light, std::size_t lane) const;
-  /// As towards() (shader.hpp), of a light of the stage.
-  bool towards(CompiledLight const& light, std::size_t lane, Vec3& direction, double& distance);
+  /// Of a light of the stage.
+  Aim const& aim(CompiledLight const& light) { return aimed(light).aim; }
 
 private:
   struct Ways {
     bool aimed = false, known = false;
-    bool comes[geometry::fan_width]; ///< the light can come
-    geometry::FanVectors direction;  ///< to the lamp
-    alignas(32) double distance[geometry::fan_width];
+    Aim aim;
     Way way[geometry::fan_width];
     double* left = nullptr; ///< by lane
   };

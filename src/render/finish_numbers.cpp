@@ -20,6 +20,7 @@ bool same(scene::Reflection const& a, scene::Reflection const& b) {
 }
 
 bool same(scene::Finish const& a, scene::Finish const& b) {
+  if (&a == &b) return true;
   return same(a.ambient, b.ambient) && same(a.emission, b.emission) && a.diffuse == b.diffuse
          && a.diffuse_back == b.diffuse_back && a.brilliance == b.brilliance && a.phong == b.phong
          && a.phong_size == b.phong_size && a.specular == b.specular && a.roughness == b.roughness
@@ -30,11 +31,12 @@ bool same(scene::Finish const& a, scene::Finish const& b) {
 
 } // namespace
 
-int FinishNumbers::of(scene::Finish const& finish) {
+int FinishNumbers::of(Shared<scene::Finish> const& finish) {
   std::size_t const oldest = known_.size() - std::min(known_.size(), looked_through);
   for (std::size_t i = known_.size(); i-- > oldest;)
-    if (same(*known_[i], finish)) return static_cast<int>(i);
-  known_.push_back(&finish);
+    if (Shared<scene::Finish> const& known = known_[i]; same(*known, *finish))
+      return static_cast<int>(i);
+  known_.push_back(finish);
   return static_cast<int>(known_.size()) - 1;
 }
 

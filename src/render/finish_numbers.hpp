@@ -12,11 +12,10 @@ namespace abbe::render {
 /// no more than that; one that comes again later has another number then.
 class FinishNumbers {
 public:
-  /// @param finish must live as long as this
-  int of(scene::Finish const& finish);
+  int of(Shared<scene::Finish> const& finish);
 
 private:
-  std::vector<scene::Finish const*> known_;
+  std::vector<Shared<scene::Finish>> known_;
 };
 
 } // namespace abbe::render

@@ -69,16 +69,17 @@ struct LaneSurface {
   double exponent = 1;
 
   /// What returns of a lane's light, and what goes on.
-  double mirrored_weight(LaneInterface const& face, int k, bool any_passes) const {
+  /// @param first the face's lane that is this one's first
+  double mirrored_weight(LaneInterface const& face, int k, bool any_passes, int first = 0) const {
     double const asked = mirrored[k];
     // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
-    if (face.total[k]) return any_passes ? 1 : asked;
+    if (face.total[first + k]) return any_passes ? 1 : asked;
     bool const unasked = face.fresnel && !explicit_reflection;
-    return unasked && passed[k] > 0 ? asked + face.reflectance[k] : asked;
+    return unasked && passed[k] > 0 ? asked + face.reflectance[first + k] : asked;
   }
-  double passed_weight(LaneInterface const& face, int k) const {
+  double passed_weight(LaneInterface const& face, int k, int first = 0) const {
     bool const unasked = face.fresnel && !explicit_reflection;
-    return passed[k] * (face.total[k] ? 0 : unasked ? face.transmittance[k] : 1);
+    return passed[k] * (face.total[first + k] ? 0 : unasked ? face.transmittance[first + k] : 1);
   }
 };
 

@@ -11,7 +11,7 @@
 namespace abbe::render {
 namespace {
 
-bool negative(Channels const& channels) {
+bool negative(std::span<double const> channels) {
   return std::any_of(channels.begin(), channels.end(), [](double v) { return v < 0; });
 }
 
@@ -27,12 +27,11 @@ bool negative_light_is_wrong(Stage const& stage) {
   return !negative(stage.background) && !negative(stage.sky_emission)
          && std::none_of(stage.lights.begin(), stage.lights.end(),
                          [](CompiledLight const& light) { return negative(light.value); })
-         && std::none_of(
-             stage.pigments.begin(), stage.pigments.end(),
-             [](CompiledPigment const& pigment) { return negative(pigment.colour.value); })
-         && std::none_of(stage.layers.begin(), stage.layers.end(), [](CompiledLayer const& layer) {
-              return negative(layer.finish.ambient) || negative(layer.finish.emission);
-            });
+         && !negative(stage.colours)
+         && std::none_of(stage.finishes.begin(), stage.finishes.end(),
+                         [](CompiledFinish const& finish) {
+                           return negative(finish.ambient) || negative(finish.emission);
+                         });
 }
 
 std::optional<BadSample::Kind> what_is_wrong(std::span<double const> light, Vec3 const& rgb,
@@ -66,8 +65,9 @@ void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   // None is left where a medium of higher priority displaces all of them.
   auto const primitive = hit.crossings.empty() ? hit.members.front().primitive
                                                : hit.crossings[carrier_of(hit.crossings)].primitive;
-  ray.step.object = stage_.surfaces.object(primitive).span;
-  ray.step.keyword = stage_.surfaces.object(primitive).keyword;
+  auto const origin = stage_.surfaces.origin(primitive);
+  ray.step.object = origin.span;
+  ray.step.keyword = origin.keyword;
 }
 
 void PathRecorder::look_at_last(Tracer& tracer) {

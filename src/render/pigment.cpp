@@ -18,13 +18,14 @@ template <int Lanes>
 void evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point,
                       std::uint16_t const* channel, int lanes, PigmentValue& out, Arena& arena) {
   CompiledPigment const& p = stage.pigments[static_cast<std::size_t>(pigment)];
-  if (!p.pattern) return plain_pigment<Lanes>(p, channel, lanes, out);
+  if (p.pattern < 0) return plain_pigment<Lanes>(stage, p, channel, lanes, out);
+  CompiledPattern const& map = stage.patterns[static_cast<std::size_t>(p.pattern)];
   // The items of a list stand at 0, 1 ..: a written frequency or wave blends them, as in POV-Ray.
-  texture::MapPosition const position = texture::look_up(p.values, p.pattern->evaluate(point));
-  auto const entry = [&](int i) { return p.entries[static_cast<std::size_t>(i)]; };
+  texture::MapPosition const position = texture::look_up(map.values, map.pattern->evaluate(point));
+  auto const entry = [&](int i) { return map.entries[static_cast<std::size_t>(i)]; };
   // The entries see the point after the parent's own warps and transforms.
   Vec3 inner = point;
-  for (auto m = p.pattern->mappings.rbegin(); m != p.pattern->mappings.rend(); ++m)
+  for (auto m = map.pattern->mappings.rbegin(); m != map.pattern->mappings.rend(); ++m)
     inner = m->linear * inner + m->offset;
   evaluate_pigment<Lanes>(stage, entry(position.first), inner, channel, lanes, out, arena);
   if (position.weight == 0) return;
@@ -41,20 +42,13 @@ template void evaluate_pigment<1>(Stage const&, int, Vec3 const&, std::uint16_t 
 template void evaluate_pigment<3>(Stage const&, int, Vec3 const&, std::uint16_t const*, int,
                                   PigmentValue&, Arena&);
 
-double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
-  if (stage.opacity_version >= 3.7) return 1 - value.filter - value.transmit;
-  double brightest = 0;
-  for (int k = 0; k < lanes; ++k) brightest = std::max(brightest, value.colour[k]);
-  return 1 - (value.filter * brightest + value.transmit);
-}
-
 void tint(Stage const& stage, Surface const& surface, Vec3 const& point,
           std::uint16_t const* channel, int lanes, double* left, Arena& arena) {
   Arena::Scope const scope(arena);
   PigmentValue pigment{arena.take<double>(static_cast<std::size_t>(lanes))};
   for (int const number : surface.layers) {
     CompiledLayer const& layer = stage.layers[static_cast<std::size_t>(number)];
-    Vec3 const inner = layer.to_texture_linear * point + layer.to_texture_offset;
+    Vec3 const inner = stage.to_texture(layer, point);
     if (lanes == 1)
       evaluate_pigment<1>(stage, layer.pigment, inner, channel, lanes, pigment, arena);
     else if (lanes == 3)

@@ -4,6 +4,8 @@
 #include "render/arena.hpp"
 #include "render/stage.hpp"
 
+#include <algorithm>
+
 namespace abbe::render {
 
 /// A pigment at a point, for the lanes of a ray.
@@ -15,12 +17,12 @@ struct PigmentValue {
 
 /// Of a pigment without a pattern: the same everywhere. @tparam Lanes of the ray; 0: any number
 template <int Lanes>
-void plain_pigment(CompiledPigment const& pigment, std::uint16_t const* channel, int lanes,
-                   PigmentValue& out) {
-  out.filter = pigment.colour.filter;
-  out.transmit = pigment.colour.transmit;
-  for (int k = 0; k < (Lanes > 0 ? Lanes : lanes); ++k)
-    out.colour[k] = pigment.colour.value[channel[k]];
+void plain_pigment(Stage const& stage, CompiledPigment const& pigment, std::uint16_t const* channel,
+                   int lanes, PigmentValue& out) {
+  out.filter = pigment.filter;
+  out.transmit = pigment.transmit;
+  double const* const colour = stage.colour(pigment);
+  for (int k = 0; k < (Lanes > 0 ? Lanes : lanes); ++k) out.colour[k] = colour[channel[k]];
 }
 
 /// @param point in texture space
@@ -31,7 +33,12 @@ void evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point,
 
 /// How much of the surface is not see-through: scales diffuse and ambient light (POV-Ray's rule,
 /// which changed with version 3.7).
-double opacity(Stage const& stage, PigmentValue const& value, int lanes);
+inline double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
+  if (stage.opacity_version >= 3.7) return 1 - value.filter - value.transmit;
+  double brightest = 0;
+  for (int k = 0; k < lanes; ++k) brightest = std::max(brightest, value.colour[k]);
+  return 1 - (value.filter * brightest + value.transmit);
+}
 
 /// What the layers of a surface leave of light that passes straight through. @param left of a ray,
 /// a value a lane

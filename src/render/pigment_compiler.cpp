@@ -9,13 +9,6 @@
 
 namespace abbe::render {
 
-std::size_t PigmentCompiler::PlainHash::operator()(Plain const& plain) const {
-  WordHash hash;
-  for (double const number : plain) // -0 and 0 are equal
-    hash.add(std::bit_cast<std::uint64_t>(number + 0.0));
-  return hash.value();
-}
-
 int PigmentCompiler::add_shared(std::shared_ptr<scene::Pigment const> const& pigment) {
   auto const found = shared_.find(pigment.get());
   if (found != shared_.end()) return found->second;
@@ -25,32 +18,47 @@ int PigmentCompiler::add_shared(std::shared_ptr<scene::Pigment const> const& pig
 }
 
 int PigmentCompiler::add(scene::Pigment const& pigment) {
-  if (pigment.pattern) {
-    CompiledPigment out;
-    out.pattern = pigment.pattern;
-    out.opaque = true;
-    for (auto const& entry : pigment.entries) {
-      out.values.push_back(entry.value);
-      out.entries.push_back(add_shared(entry.pigment));
-      out.opaque = out.opaque && opaque(out.entries.back());
-    }
-    out_.push_back(std::move(out));
-    return static_cast<int>(out_.size()) - 1;
-  }
-  // A million objects may wear the same plain colour.
-  scene::Colour const& c = pigment.colour;
-  Plain const key{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
-  if (!c.spectrum) {
-    auto const found = plain_.find(key);
-    if (found != plain_.end()) return found->second;
-  }
+  if (!pigment.pattern) return add_plain(pigment.colour);
+  CompiledPattern map;
+  map.pattern = pigment.pattern;
   CompiledPigment out;
-  out.colour = colours_.pigment(c);
-  out.opaque = c.transmit == 0 && (c.filter == 0 || out.colour.maximum == 0);
-  out_.push_back(std::move(out));
-  int const number = static_cast<int>(out_.size()) - 1;
-  if (!c.spectrum) plain_.emplace(key, number);
-  return number;
+  for (auto const& entry : pigment.entries) {
+    map.values.push_back(entry.value);
+    map.entries.push_back(add_shared(entry.pigment));
+    out.opaque = out.opaque && opaque(map.entries.back());
+  }
+  out.pattern = static_cast<std::int32_t>(stage_.patterns.size());
+  stage_.patterns.push_back(std::move(map));
+  stage_.pigments.push_back(out);
+  return static_cast<int>(stage_.pigments.size()) - 1;
+}
+
+int PigmentCompiler::add_plain(scene::Colour const& colour) {
+  Channels const value = colours_.reflectance(colour);
+  WordHash hash;
+  auto const add = [&](double number) { // -0 and 0 are equal
+    hash.add(std::bit_cast<std::uint64_t>(number + 0.0));
+  };
+  for (double const channel : value) add(channel);
+  add(colour.filter);
+  add(colour.transmit);
+  auto const fresh = static_cast<std::uint32_t>(stage_.pigments.size());
+  auto const number = plain_.find_or_add(hash.value(), fresh, [&](std::uint32_t known) {
+    CompiledPigment const& other = stage_.pigments[known];
+    return other.filter == colour.filter && other.transmit == colour.transmit
+           && std::equal(value.begin(), value.end(), stage_.colour(other));
+  });
+  if (number == fresh) {
+    CompiledPigment out;
+    out.filter = colour.filter;
+    out.transmit = colour.transmit;
+    out.colour = static_cast<std::uint32_t>(stage_.colours.size() / value.size());
+    out.opaque = colour.transmit == 0
+                 && (colour.filter == 0 || *std::max_element(value.begin(), value.end()) == 0);
+    stage_.pigments.push_back(out);
+    stage_.colours.insert(stage_.colours.end(), value.begin(), value.end());
+  }
+  return static_cast<int>(number);
 }
 
 namespace {

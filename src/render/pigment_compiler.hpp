@@ -2,39 +2,37 @@
 #pragma once
 
 #include "render/colour_compiler.hpp"
+#include "render/number_table.hpp"
 
-#include <array>
 #include <map>
-#include <unordered_map>
-#include <vector>
+#include <memory>
 
 namespace abbe::render {
 
-/// Pigments as numbers into the stage; those that several maps or objects share are compiled once.
+/// Pigments as numbers into the stage; those that several maps or objects share are compiled once,
+/// and equal plain colours are one.
 class PigmentCompiler {
 public:
-  PigmentCompiler(ColourCompiler& colours, std::vector<CompiledPigment>& out)
-      : colours_(colours), out_(out) {}
+  PigmentCompiler(ColourCompiler& colours, Stage& stage) : colours_(colours), stage_(stage) {}
 
   int add(scene::Pigment const& pigment);
-  bool opaque(int number) const { return out_[static_cast<std::size_t>(number)].opaque; }
+  bool opaque(int number) const { return of(number).opaque; }
   /// The same everywhere, and all light passes unchanged.
   bool clear(int number) const {
-    CompiledPigment const& pigment = out_[static_cast<std::size_t>(number)];
-    return !pigment.pattern && pigment.colour.filter == 0 && pigment.colour.transmit == 1;
+    CompiledPigment const& pigment = of(number);
+    return pigment.pattern < 0 && pigment.filter == 0 && pigment.transmit == 1;
   }
 
 private:
   int add_shared(std::shared_ptr<scene::Pigment const> const& pigment);
+  int add_plain(scene::Colour const& colour);
+  CompiledPigment const& of(int number) const {
+    return stage_.pigments[static_cast<std::size_t>(number)];
+  }
   ColourCompiler& colours_;
-  std::vector<CompiledPigment>& out_;
+  Stage& stage_;
   std::map<scene::Pigment const*, int> shared_;
-  /// rgb, filter, transmit.
-  using Plain = std::array<double, 5>;
-  struct PlainHash {
-    std::size_t operator()(Plain const& plain) const;
-  };
-  std::unordered_map<Plain, int, PlainHash> plain_;
+  NumberTable plain_; ///< by what they were compiled to
 };
 
 CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const& settings,

@@ -46,14 +46,12 @@ void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
 void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* out) {
   geometry::FanLines rays;
   rays.count = count;
-  for (std::size_t k = 0; k < count; ++k) {
-    auto const ray =
-        camera_ray(stage_.camera, spots[k].x, spots[k].y, options_.width, options_.height);
-    rays.origin.set(k, ray.origin);
-    rays.direction.set(k, ray.direction);
-    rays.origin_error.set(k, ray.origin_error);
+  double x[geometry::fan_width], y[geometry::fan_width]; // whole fours
+  for (std::size_t k = 0; k < (count + 3) / 4 * 4; ++k) {
+    x[k] = spots[std::min(k, count - 1)].x;
+    y[k] = spots[std::min(k, count - 1)].y;
   }
-  rays.fill();
+  camera_rays(stage_.camera, x, y, options_.width, options_.height, rays);
   SampleKey keys[geometry::fan_width];
   for (std::size_t k = 0; k < count; ++k) keys[k] = spots[k].key;
   tracer_.samples(rays, {keys, count});
@@ -89,7 +87,8 @@ PixelSampler::Spot PixelSampler::spot(double x, double y, RandomKey key, std::ui
 }
 
 PixelSampler::Spot PixelSampler::centre(Pixel const& pixel) const {
-  return spot(pixel.x + 0.5, pixel.y + 0.5, key_of(pixel), 0, pixel);
+  return {pixel.x + 0.5, pixel.y + 0.5, SampleKey{key_of(pixel), 0, pixel.x, pixel.y, frame_key_},
+          pixel};
 }
 
 void PixelSampler::centres(std::span<Pixel const> pixels, Sampled* out) {

@@ -6,25 +6,26 @@
 #include "render/frame.hpp"
 #include "render/passes.hpp"
 
+#include <utility>
+
 namespace abbe::render {
 namespace {
 
-Stage make_stage(scene::Scene const& scene, plan::Plan const& plan, RenderOptions const& options) {
-  Stage stage = compile(scene, plan);
+template <class Scene>
+Stage make_stage(Scene&& scene, plan::Plan const& plan, RenderOptions const& options) {
+  Stage stage = compile(std::forward<Scene>(scene), plan);
   if (options.max_trace_level) stage.max_trace_level = *options.max_trace_level;
   return stage;
 }
 
-} // namespace
-
-RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
-                    RenderOptions const& options) {
+template <class Scene>
+RenderResult render_scene(Scene&& scene, plan::Plan const& plan, RenderOptions const& options) {
   ABBE_ASSERT(options.width > 0 && options.height > 0 && options.passes > 0);
   ABBE_ASSERT(!options.spectral_output || plan.spectral);
   ABBE_ASSERT(!options.rays_of_pixels || !options.checkpoint);
   ABBE_ASSERT(!options.passes_wanted || !options.checkpoint);
-  Stage const stage = make_stage(scene, plan, options);
   plan::WorkingSpace const space(scene.settings);
+  Stage const stage = make_stage(std::forward<Scene>(scene), plan, options);
   if (options.rays_of_pixels) {
     Region const region = options.pixels();
     options.rays_of_pixels->assign(
@@ -32,6 +33,17 @@ RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
   }
   if (options.passes == 1 && !options.passes_wanted) return make_frame(stage, options, &space);
   return make_passes(stage, options, space);
+}
+
+} // namespace
+
+RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
+                    RenderOptions const& options) {
+  return render_scene(scene, plan, options);
+}
+
+RenderResult render(scene::Scene&& scene, plan::Plan const& plan, RenderOptions const& options) {
+  return render_scene(std::move(scene), plan, options);
 }
 
 std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan const& plan,

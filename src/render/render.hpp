@@ -97,6 +97,9 @@ struct RenderResult {
 /// rows_bytes, and whether or not tiles come from a checkpoint.
 RenderResult render(scene::Scene const& scene, plan::Plan const& plan,
                     RenderOptions const& options);
+/// The same, once: the scene's objects are given up while the rays' own structures are made, and a
+/// large scene takes half the memory.
+RenderResult render(scene::Scene&& scene, plan::Plan const& plan, RenderOptions const& options);
 
 /// Parts of one pass of it, each as RenderOptions::region would give it, with the scene made ready
 /// once; each on one thread, `threads` at a time.

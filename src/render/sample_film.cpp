@@ -46,11 +46,11 @@ bool SampleFilm::is_dark(double const* values, int comb) const {
                      [](double v) { return v == 0; });
 }
 
-Vec3 SampleFilm::resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const {
+Vec3 SampleFilm::resolve_all(std::size_t sample, WaveTables& waves, std::span<double> bands) const {
   auto const n = static_cast<std::size_t>(stage_.channels);
   double const* const values = values_.data() + first(sample);
-  std::fill(bands.begin(), bands.end(), 0.0);
   Vec3 rgb(0);
+  std::fill(bands.begin(), bands.end(), 0.0);
   double const* plain = values;
   // A sample that never met these materials has nothing there: most of a picture.
   for (int j = 0; j < static_cast<int>(stage_.combs.size()); ++j) {

@@ -70,7 +70,18 @@ public:
   /// The sum of what light in some slots of a sample adds to it, linear sRGB, each without sign.
   Vec3 size_of(std::uint32_t const* slots, double const* light, int count, WaveTables& waves) const;
   /// Linear sRGB of a sample; with `bands` (one value a channel) its spectrum too.
-  Vec3 resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const;
+  Vec3 resolve(std::size_t sample, WaveTables& waves, std::span<double> bands) const {
+    if (!bands.empty() || !stage_.combs.empty()) return resolve_all(sample, waves, bands);
+    double const* const light = values_.data() + first(sample);
+    Vec3 const* const weights = stage_.rgb_weights.data();
+    double r = 0, g = 0, b = 0;
+    for (int c = 0; c < stage_.channels; ++c) {
+      r += light[c] * weights[c].x;
+      g += light[c] * weights[c].y;
+      b += light[c] * weights[c].z;
+    }
+    return {r, g, b};
+  }
 
 private:
   /// First slots of a comb, in this order, and the one after its last.
@@ -84,6 +95,8 @@ private:
   std::uint32_t first(std::size_t sample) const {
     return static_cast<std::uint32_t>(sample << stride_bits_);
   }
+  /// resolve() where there is more than channels for the picture.
+  Vec3 resolve_all(std::size_t sample, WaveTables& waves, std::span<double> bands) const;
   bool is_dark(double const* values, int comb) const;
   /// Adds light of the channels to the spectral film, where there is one.
   void add_plain(std::span<double const> light, std::span<double> bands) const;

@@ -44,15 +44,16 @@ FanSurface Shader<Lanes>::shade() {
 template <int Lanes>
 void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, Rays rays,
                                   FanSurface& out) {
-  Surface const& surface = stage_.surfaces[crossing.primitive];
+  Surface const surface = stage_.surfaces[crossing.primitive];
   bool const carries = &crossing == &frame_.hit.crossings[met_.carrier];
   bool const both_sides = surface.double_illuminate;
   if (!crossing.entering && !surface.interior_layers.empty())
     return shade_layers(surface.interior_layers, both_sides, carries, rays, out);
   if (surface.face_layers.empty())
     return shade_layers(surface.layers, both_sides, carries, rays, out);
-  auto const of_face = [&](int number) -> std::vector<int> const& {
-    return number < 0 ? surface.layers : surface.face_layers[static_cast<std::size_t>(number)];
+  auto const of_face = [&](int number) -> std::span<int const> {
+    if (number < 0) return surface.layers;
+    return surface.face_layers[static_cast<std::size_t>(number)];
   };
   geometry::Shape const& shape = stage_.world->shape(crossing.primitive);
   each_ray(rays, [&](std::size_t r, int first) {
@@ -92,8 +93,8 @@ void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, Ray
 }
 
 template <int Lanes>
-void Shader<Lanes>::shade_layers(std::vector<int> const& layers, bool double_illuminate,
-                                 bool carries, Rays rays, FanSurface& out) {
+void Shader<Lanes>::shade_layers(std::span<int const> layers, bool double_illuminate, bool carries,
+                                 Rays rays, FanSurface& out) {
   for (auto layer = layers.rbegin(); layer != layers.rend() && rays != 0; ++layer) {
     Arena::Scope const scope(tracer_.arena_);
     shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], double_illuminate, carries, rays,
@@ -105,7 +106,7 @@ void Shader<Lanes>::shade_layers(std::vector<int> const& layers, bool double_ill
 template <int Lanes>
 void Shader<Lanes>::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
                                 Rays rays, FanSurface& out) {
-  CompiledFinish const& finish = layer.finish;
+  CompiledFinish const& finish = stage_.finish(layer);
   Pigments pigment;
   pigments_at(layer, rays, pigment);
   bool opaque = false;
@@ -121,21 +122,31 @@ void Shader<Lanes>::shade_layer(CompiledLayer const& layer, bool double_illumina
   if (finish.reflection) {
     mirror = take_lanes();
     reflectivity(*finish.reflection, pigment.colour, carries, rays, mirror);
-    each_ray(rays, [&](std::size_t r, int first) {
-      for (int k = first; k < first + each(); ++k) {
-        out.mirrored[k] += mirror[k];
-        out.mirrors[r] = out.mirrors[r] || mirror[k] != 0;
-      }
-      if (carries || out.exponent[r] == 1) out.exponent[r] = finish.reflection->exponent;
-      out.explicit_reflection[r] = out.explicit_reflection[r] || carries;
-    });
+    add_mirror(*finish.reflection, mirror, carries, rays, out);
   }
+  double *const passed = out.passed, *const colour = pigment.colour;
+  each_lane(rays, [&](std::size_t r, int k) {
+    passed[k] *= pigment.filter[r] * colour[k] + pigment.transmit[r];
+  });
+  if (mirror != nullptr && finish.conserve_energy)
+    each_lane(rays, [&](std::size_t, int k) {
+      passed[k] *= std::min(1.0, std::max(0.0, 1 - mirror[k]));
+    });
+}
+
+template <int Lanes>
+void Shader<Lanes>::add_mirror(CompiledReflection const& reflection, double const* mirror,
+                               bool carries, Rays rays, FanSurface& out) {
+  double* const mirrored = out.mirrored;
   each_ray(rays, [&](std::size_t r, int first) {
+    bool any = false;
     for (int k = first; k < first + each(); ++k) {
-      out.passed[k] *= pigment.filter[r] * pigment.colour[k] + pigment.transmit[r];
-      if (mirror && finish.conserve_energy)
-        out.passed[k] *= std::min(1.0, std::max(0.0, 1 - mirror[k]));
+      mirrored[k] += mirror[k];
+      any = any || mirror[k] != 0;
     }
+    out.mirrors[r] = out.mirrors[r] || any;
+    if (carries || out.exponent[r] == 1) out.exponent[r] = reflection.exponent;
+    out.explicit_reflection[r] = out.explicit_reflection[r] || carries;
   });
 }
 
@@ -143,15 +154,11 @@ template <int Lanes>
 void Shader<Lanes>::pigments_at(CompiledLayer const& layer, Rays rays, Pigments& out) {
   CompiledPigment const& pigment = stage_.pigments[static_cast<std::size_t>(layer.pigment)];
   out.colour = take_lanes();
+  if (pigment.pattern < 0) return plain_pigments_at(pigment, rays, out);
   each_ray(rays, [&](std::size_t r, int first) {
     PigmentValue value{out.colour + first};
-    if (pigment.pattern)
-      evaluate_pigment<Lanes>(stage_, layer.pigment,
-                              layer.to_texture_linear * met_.point->get(r)
-                                  + layer.to_texture_offset,
-                              beam_.channel + first, each(), value, tracer_.arena_);
-    else
-      plain_pigment<Lanes>(pigment, beam_.channel + first, each(), value);
+    evaluate_pigment<Lanes>(stage_, layer.pigment, stage_.to_texture(layer, met_.point->get(r)),
+                            beam_.channel + first, each(), value, tracer_.arena_);
     out.filter[r] = value.filter;
     out.transmit[r] = value.transmit;
     out.opaque[r] = opacity(stage_, value, each());
@@ -159,45 +166,65 @@ void Shader<Lanes>::pigments_at(CompiledLayer const& layer, Rays rays, Pigments&
 }
 
 template <int Lanes>
+void Shader<Lanes>::plain_pigments_at(CompiledPigment const& pigment, Rays rays, Pigments& out) {
+  double const* const value = stage_.colour(pigment);
+  std::uint16_t const* const channel = beam_.channel;
+  double* const colour = out.colour;
+  each_lane(rays, [&](std::size_t, int k) { colour[k] = value[channel[k]]; });
+  std::fill_n(out.filter, met_.rays, pigment.filter);
+  std::fill_n(out.transmit, met_.rays, pigment.transmit);
+  each_ray(rays, [&](std::size_t r, int first) {
+    out.opaque[r] = opacity(stage_, {colour + first, pigment.filter, pigment.transmit}, each());
+  });
+}
+
+template <int Lanes>
 void Shader<Lanes>::add_glow(CompiledFinish const& finish, Pigments const& pigment, Rays rays,
                              double const* passed) {
   if (finish.ambient.empty() && finish.emission.empty()) return;
-  each_ray(rays, [&](std::size_t r, int first) {
-    double const opaque = pigment.opaque[r];
-    if (opaque == 0) return;
-    for (int k = first; k < first + each(); ++k) {
-      double glow = 0;
-      if (!finish.ambient.empty()) glow += finish.ambient[beam_.channel[k]];
-      if (!finish.emission.empty()) glow += finish.emission[beam_.channel[k]];
-      tracer_.out_[beam_.slot[k]] +=
-          beam_.throughput[k] * passed[k] * pigment.colour[k] * opaque * glow;
-    }
+  Rays opaque = 0;
+  each_ray(rays, [&](std::size_t r, int) { opaque |= Rays{pigment.opaque[r] != 0} << r; });
+  Arena::Scope const scope(tracer_.arena_);
+  double* const added = take_lanes();
+  auto const glow = by_channel([&](std::uint16_t c) {
+    return (finish.ambient.empty() ? 0 : finish.ambient[c])
+           + (finish.emission.empty() ? 0 : finish.emission[c]);
   });
+  find_glow(lanes_of(passed, pigment), glow, pigment.opaque, added);
+  add(opaque, added);
 }
 
 template <int Lanes>
 void Shader<Lanes>::reflectivity(CompiledReflection const& reflection, double const* pigment,
                                  bool carries, Rays rays, double* out) {
+  std::uint16_t const* const channel = beam_.channel;
+  if (!reflection.metal_n.empty()) {
+    each_lane(rays, [&](std::size_t r, int k) {
+      auto const c = channel[k];
+      out[k] = optics::conductor_reflectance<double>(reflection.metal_n[c], reflection.metal_k[c],
+                                                     met_.cos_i[r]);
+    });
+    return;
+  }
+  double const *const most = reflection.maximum.data(), *const least = reflection.minimum.data();
+  auto const between = [&](double share, std::uint16_t c) {
+    return share * most[c] + (1 - share) * least[c];
+  };
+  double const* const fresnel = carries ? met_.reflectance : nullptr;
+  if (reflection.fresnel)
+    each_lane(rays, [&](std::size_t, int k) {
+      out[k] = between(fresnel != nullptr ? fresnel[k] : 0, channel[k]);
+    });
+  else
+    each_ray(rays, [&](std::size_t r, int first) {
+      double const falloff = reflection.falloff;
+      double const share = falloff == 0 ? 1 : std::pow(1 - met_.cos_i[r], falloff);
+      for (int k = first; k < first + each(); ++k) out[k] = between(share, channel[k]);
+    });
+  if (reflection.metallic == 0) return;
   each_ray(rays, [&](std::size_t r, int first) {
-    double const cosine = met_.cos_i[r];
-    double const weight = reflection.fresnel || reflection.falloff == 0
-                              ? 0
-                              : std::pow(1 - cosine, reflection.falloff);
-    double const tint =
-        reflection.metallic != 0 ? reflection.metallic * (1 - metallic_falloff(cosine)) : 0;
-    for (int k = first; k < first + each(); ++k) {
-      auto const c = beam_.channel[k];
-      double const f = reflection.fresnel        ? (carries ? met_.reflectance[k] : 0)
-                       : reflection.falloff == 0 ? 1
-                                                 : weight;
-      if (!reflection.metal_n.empty()) {
-        out[k] = optics::conductor_reflectance<double>(reflection.metal_n[c], reflection.metal_k[c],
-                                                       cosine);
-        continue;
-      }
-      out[k] = f * reflection.maximum[c] + (1 - f) * reflection.minimum[c];
-      if (tint != 0) out[k] *= 1 + tint * (pigment[k] - 1);
-    }
+    double const tint = reflection.metallic * (1 - metallic_falloff(met_.cos_i[r]));
+    for (int k = first; k < first + each(); ++k) out[k] *= 1 + tint * (pigment[k] - 1);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/interface.hpp"
 #include "render/pigment.hpp"
+#include "render/shade_lanes.hpp"
 #include "render/tracer.hpp"
 
 namespace abbe::render {
@@ -35,6 +36,7 @@ public:
         met_(met),
         beam_(beam),
         each_(beam.lanes / static_cast<int>(met.rays)),
+        in_order_(!beam.monochromatic() && beam.comb == no_comb),
         frame_(frame),
         inside_(inside),
         inside_after_(inside_after),
@@ -54,9 +56,11 @@ private:
   };
   /// How a lamp lights each ray's surface.
   struct Lit {
-    double strength[geometry::fan_width], diffuse[geometry::fan_width], shine[geometry::fan_width];
-    double cosine[geometry::fan_width], distance[geometry::fan_width];
-    geometry::FanVectors to_light;
+    Aim const* aim;
+    bool shines = false;  ///< it makes highlights
+    bool weakens = false; ///< `strength` is not 1 everywhere
+    double strength[geometry::fan_width], shine[geometry::fan_width];
+    LitSurface surface;
   };
 
   /// Constant where it can be: the loops over lanes are most of the work.
@@ -70,6 +74,34 @@ private:
   void each_ray(Rays rays, Visit&& visit) const {
     for (std::size_t r = 0; r < met_.rays; ++r)
       if ((rays >> r & 1) != 0) visit(r, static_cast<int>(r) * each());
+  }
+  /// work(k) for each lane of those rays, with r their number.
+  template <class Visit>
+  void each_lane(Rays rays, Visit&& visit) const {
+    each_ray(rays, [&](std::size_t r, int first) {
+      for (int k = first; k < first + each(); ++k) visit(r, k);
+    });
+  }
+  /// Adds them to the film, of those rays.
+  void add(Rays rays, double const* lanes) {
+    double* const out = tracer_.out_;
+    std::uint32_t const* const slot = beam_.slot;
+    each_lane(rays, [&](std::size_t, int k) { out[slot[k]] += lanes[k]; });
+  }
+  /// Of the channels of all rays' lanes; `values` gives that of a channel.
+  template <class Values>
+  ChannelValues by_channel(Values const& values) {
+    if (in_order_) {
+      auto* const own = tracer_.arena_.template take<double>(static_cast<std::size_t>(each()) + 8);
+      for (int c = 0; c < each(); ++c) own[c] = values(static_cast<std::uint16_t>(c));
+      return {own, true};
+    }
+    double* const lanes = take_lanes();
+    for (int k = 0; k < beam_.lanes; ++k) lanes[k] = values(beam_.channel[k]);
+    return {lanes, false};
+  }
+  ShadedLanes lanes_of(double const* passed, Pigments const& pigment) const {
+    return {met_.rays, static_cast<std::size_t>(each()), beam_.throughput, passed, pigment.colour};
   }
   double* take_lanes() {
     return tracer_.arena_.take<double>(static_cast<std::size_t>(beam_.lanes));
@@ -89,15 +121,18 @@ private:
   }
 
   void shade_surface(geometry::SurfaceCrossing const& crossing, Rays rays, FanSurface& out);
-  void shade_layers(std::vector<int> const& layers, bool double_illuminate, bool carries, Rays rays,
+  void shade_layers(std::span<int const> layers, bool double_illuminate, bool carries, Rays rays,
                     FanSurface& out);
   void shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries, Rays rays,
                    FanSurface& out);
   void pigments_at(CompiledLayer const& layer, Rays rays, Pigments& out);
+  void plain_pigments_at(CompiledPigment const& pigment, Rays rays, Pigments& out);
   void add_glow(CompiledFinish const& finish, Pigments const& pigment, Rays rays,
                 double const* passed);
   void reflectivity(CompiledReflection const& reflection, double const* pigment, bool carries,
                     Rays rays, double* out);
+  void add_mirror(CompiledReflection const& reflection, double const* mirror, bool carries,
+                  Rays rays, FanSurface& out);
 
   // shader_lights.cpp
   void add_light(CompiledLight const& light, CompiledFinish const& finish, Pigments const& pigment,
@@ -105,9 +140,12 @@ private:
   /// The rays whose surface it lights, but for shadows.
   Rays light_up(CompiledLight const& light, CompiledFinish const& finish, Pigments const& pigment,
                 bool double_illuminate, Rays rays, Lit& out);
-  /// Light left after the way to a lamp; false when there is none. @param left a value a lane of
-  /// ray r
-  bool visible(CompiledLight const& light, Lit const& lit, std::size_t r, double* left);
+  void find_strengths(CompiledLight const& light, Rays rays, Lit& out);
+  void find_highlights(CompiledFinish const& finish, bool double_illuminate, Rays rays, Lit& out);
+  /// Those that are left after shadows. @param left a value a lane, 1 before; null: nothing filters
+  Rays visible_of(CompiledLight const& light, Lit const& lit, Rays rays, double* left);
+  /// The same for ray r alone. @param left of its lanes
+  bool visible(Lit const& lit, std::size_t r, double* left);
   void filter_shadow(Vec3 const& to_light, double distance, std::size_t r, double* left);
 
   Tracer& tracer_;
@@ -115,6 +153,7 @@ private:
   Meeting const& met_;
   Beam const& beam_;
   int each_;
+  bool in_order_; ///< each ray has a lane a channel
   Tracer::Frame& frame_;
   InsideNode const* inside_;
   InsideNode const* inside_after_;
@@ -123,9 +162,6 @@ private:
 
 /// POV-Ray's "Fresnel" tint of metallic highlights, x = angle / 90 degrees.
 double metallic_falloff(double cosine);
-
-/// The unit direction from a point to a lamp, and how far it is; false where its light cannot come.
-bool towards(CompiledLight const& light, Vec3 const& point, Vec3& direction, double& distance);
 
 /// Attenuation by `fade_distance` and `fade_power` of the medium that is left, one channel.
 double distance_fade(Medium const& medium, int channel, double distance);

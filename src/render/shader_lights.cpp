@@ -8,19 +8,6 @@
 /// What lamps add to a surface.
 namespace abbe::render {
 
-bool towards(CompiledLight const& light, Vec3 const& point, Vec3& direction, double& distance) {
-  if (light.kind == scene::Light::Kind::Parallel) {
-    distance = glm::dot(point - light.position, light.direction);
-    direction = -light.direction;
-    return distance > 0; // not behind the plane of the light
-  }
-  direction = light.position - point;
-  distance = glm::length(direction);
-  if (distance == 0) return false;
-  direction /= distance;
-  return true;
-}
-
 namespace {
 
 /// Of a lamp's light in this direction and at this distance.
@@ -40,63 +27,66 @@ double strength_of(CompiledLight const& light, Vec3 const& to_light, double dist
   return strength;
 }
 
-/// Highlights by phong and specular.
-double shine_of(CompiledFinish const& finish, Vec3 const& view, Vec3 const& normal,
-                Vec3 const& to_light) {
-  double shine = 0;
-  if (finish.phong != 0) {
-    Vec3 const mirrored = view - normal * (2 * glm::dot(view, normal));
-    double const along = glm::dot(mirrored, to_light);
-    if (along > 0)
-      shine += finish.phong * (finish.phong_size == 1 ? along : std::pow(along, finish.phong_size));
-  }
-  if (finish.specular != 0) {
-    Vec3 const half = to_light - view;
-    double const length = glm::length(half);
-    double const along = length > 0 ? glm::dot(normal, half) / length : 0;
-    if (along > 0) shine += finish.specular * std::pow(along, 1 / finish.roughness);
-  }
-  return shine;
+} // namespace
+
+template <int Lanes>
+void Shader<Lanes>::find_strengths(CompiledLight const& light, Rays rays, Lit& out) {
+  bool const fades = light.fade_power > 0 && light.fade_distance != 0;
+  out.weakens = light.kind == scene::Light::Kind::Spot || fades;
+  if (!out.weakens) return;
+  each_ray(rays, [&](std::size_t r, int) {
+    out.strength[r] = strength_of(light, out.aim->direction.get(r), out.aim->distance[r]);
+  });
 }
 
-} // namespace
+template <int Lanes>
+void Shader<Lanes>::find_highlights(CompiledFinish const& finish, bool double_illuminate, Rays rays,
+                                    Lit& out) {
+  if (!out.shines) return;
+  std::fill_n(out.shine, met_.rays, 0.0);
+  each_ray(rays, [&](std::size_t r, int) {
+    if (!(out.aim->cosine[r] > 0 || double_illuminate)) return;
+    double shine = 0;
+    if (double const along = out.surface.mirrored[r]; finish.phong != 0 && along > 0)
+      shine += finish.phong * (finish.phong_size == 1 ? along : std::pow(along, finish.phong_size));
+    if (double const along = out.surface.half[r]; finish.specular != 0 && along > 0)
+      shine += finish.specular * std::pow(along, 1 / finish.roughness);
+    out.shine[r] = shine;
+  });
+}
 
 template <int Lanes>
 auto Shader<Lanes>::light_up(CompiledLight const& light, CompiledFinish const& finish,
                              Pigments const& pigment, bool double_illuminate, Rays rays, Lit& out)
     -> Rays {
+  if (shadows_ != nullptr) {
+    out.aim = &shadows_->aim(light);
+  } else {
+    auto* const own = tracer_.arena_.template take<Aim>(1);
+    aim(light, *met_.point, *met_.normal, met_.rays, *own);
+    out.aim = own;
+  }
+  rays &= out.aim->comes;
+  find_strengths(light, rays, out);
   bool const shines = !light.shadowless && (finish.phong != 0 || finish.specular != 0);
+  double const behind = double_illuminate ? finish.diffuse : finish.diffuse_back;
+  light_surfaces({out.aim, met_.direction, met_.normal, pigment.opaque, finish.diffuse, behind,
+                  shines && finish.phong != 0, shines && finish.specular != 0},
+                 met_.rays, out.surface);
+  double* const diffuse = out.surface.diffuse;
+  if (finish.brilliance != 1)
+    each_ray(rays, [&](std::size_t r, int) {
+      double const cosine = out.aim->cosine[r];
+      if (diffuse[r] != 0)
+        diffuse[r] = pigment.opaque[r] * (cosine > 0 ? finish.diffuse : behind)
+                     * std::pow(std::abs(cosine), finish.brilliance);
+    });
+  out.shines = shines;
+  find_highlights(finish, double_illuminate, rays, out);
   Rays lit = 0;
   each_ray(rays, [&](std::size_t r, int) {
-    Vec3 to_light;
-    double distance = 0;
-    bool const comes = shadows_ ? shadows_->towards(light, r, to_light, distance)
-                                : towards(light, met_.point->get(r), to_light, distance);
-    if (!comes) return;
-    double const strength = strength_of(light, to_light, distance);
-    if (strength == 0) return;
-    Vec3 const normal = met_.normal->get(r);
-    double const cosine = glm::dot(normal, to_light);
-    double diffuse = 0;
-    if (pigment.opaque[r] != 0) {
-      double const amount = cosine > 0 || double_illuminate ? finish.diffuse : finish.diffuse_back;
-      if (amount != 0 && cosine != 0) {
-        double const lambert = std::abs(cosine);
-        diffuse = pigment.opaque[r] * amount
-                  * (finish.brilliance == 1 ? lambert : std::pow(lambert, finish.brilliance));
-      }
-    }
-    double const shine = shines && (cosine > 0 || double_illuminate)
-                             ? shine_of(finish, met_.direction->get(r), normal, to_light)
-                             : 0;
-    if (diffuse == 0 && shine == 0) return;
-    lit |= Rays{1} << r;
-    out.strength[r] = strength;
-    out.diffuse[r] = diffuse;
-    out.shine[r] = shine;
-    out.cosine[r] = cosine;
-    out.distance[r] = distance;
-    out.to_light.set(r, to_light);
+    bool const is = diffuse[r] != 0 || (shines && out.shine[r] != 0);
+    lit |= Rays{is && !(out.weakens && out.strength[r] == 0)} << r;
   });
   return lit;
 }
@@ -105,44 +95,56 @@ template <int Lanes>
 void Shader<Lanes>::add_light(CompiledLight const& light, CompiledFinish const& finish,
                               Pigments const& pigment, bool double_illuminate, Rays rays,
                               double const* passed) {
+  Arena::Scope const scope(tracer_.arena_);
   Lit lit;
   rays = light_up(light, finish, pigment, double_illuminate, rays, lit);
-  if (rays == 0) return;
-  Arena::Scope const scope(tracer_.arena_);
   bool const filtered = !light.shadowless && stage_.has_filter_shadows;
-  double* const left = filtered ? take_lanes(1.0) : nullptr;
-  each_ray(rays, [&](std::size_t r, int first) {
-    if (!light.shadowless && !visible(light, lit, r, filtered ? left + first : nullptr)) return;
-    double const diffuse = lit.diffuse[r], shine = lit.shine[r], strength = lit.strength[r];
-    double const tint =
-        finish.metallic != 0 ? finish.metallic * (1 - metallic_falloff(lit.cosine[r])) : 0;
-    for (int k = first; k < first + each(); ++k) {
-      double const arriving = light.value[beam_.channel[k]] * strength * (filtered ? left[k] : 1);
-      double const gloss = shine * (1 + tint * (pigment.colour[k] - 1));
-      tracer_.out_[beam_.slot[k]] +=
-          beam_.throughput[k] * passed[k] * arriving * (pigment.colour[k] * diffuse + gloss);
-    }
-  });
+  double* const left = filtered && rays != 0 ? take_lanes(1.0) : nullptr;
+  if (!light.shadowless && rays != 0) rays = visible_of(light, lit, rays, left);
+  if (rays == 0) return;
+  double tint[geometry::fan_width];
+  if (finish.metallic != 0)
+    each_ray(rays, [&](std::size_t r, int) {
+      tint[r] = finish.metallic * (1 - metallic_falloff(lit.aim->cosine[r]));
+    });
+  double* const added = take_lanes();
+  find_gloss(lanes_of(passed, pigment),
+             {by_channel([&](std::uint16_t c) { return light.value[c]; }),
+              lit.weakens ? lit.strength : nullptr, lit.surface.diffuse,
+              lit.shines ? lit.shine : nullptr, finish.metallic != 0 ? tint : nullptr, left},
+             added);
+  add(rays, added);
 }
 
 template <int Lanes>
-bool Shader<Lanes>::visible(CompiledLight const& light, Lit const& lit, std::size_t r,
-                            double* left) {
-  ++tracer_.counts_.shadow;
-  if (shadows_) {
-    FanShadows::Way const way = shadows_->way(light, r);
-    if (way == FanShadows::Way::Filtered) std::copy_n(shadows_->left(light, r), each(), left);
-    if (way != FanShadows::Way::Unknown) return way != FanShadows::Way::Blocked;
-  }
-  Vec3 const to_light = lit.to_light.get(r);
+auto Shader<Lanes>::visible_of(CompiledLight const& light, Lit const& lit, Rays rays, double* left)
+    -> Rays {
+  Rays seen = 0;
+  FanShadows::Way const* const ways = shadows_ != nullptr ? shadows_->ways(light) : nullptr;
+  each_ray(rays, [&](std::size_t r, int first) {
+    using Way = FanShadows::Way;
+    ++tracer_.counts_.shadow;
+    Way const way = ways != nullptr ? ways[r] : Way::Unknown;
+    bool is = way != Way::Blocked;
+    if (way == Way::Filtered) std::copy_n(shadows_->left(light, r), each(), left + first);
+    if (way == Way::Unknown) is = visible(lit, r, left != nullptr ? left + first : nullptr);
+    seen |= Rays{is} << r;
+  });
+  return seen;
+}
+
+template <int Lanes>
+bool Shader<Lanes>::visible(Lit const& lit, std::size_t r, double* left) {
+  Vec3 const to_light = lit.aim->direction.get(r);
+  double const distance = lit.aim->distance[r];
   geometry::Departure& from = frame_.shadow;
   from.on = frame_.hit.members;
   from.through = glm::dot(met_.geometric->get(r), to_light) < 0;
   geometry::Ray const line{met_.point->get(r), to_light, met_.point_error->get(r)};
-  if (stage_.world->occluded(line, &from, opaque_shadow_bit, lit.distance[r], *tracer_.scratch_))
+  if (stage_.world->occluded(line, &from, opaque_shadow_bit, distance, *tracer_.scratch_))
     return false;
   if (!left) return true;
-  filter_shadow(to_light, lit.distance[r], r, left);
+  filter_shadow(to_light, distance, r, left);
   return any_above(left, each(), 0);
 }
 

@@ -21,19 +21,19 @@ namespace abbe::render {
 /// Channels of light: the spectral bands, or r g b.
 using Channels = std::vector<double>;
 
-struct CompiledColour {
-  Channels value; ///< reflectance, or light relative to D65
-  double filter = 0;
-  double transmit = 0;
-  double maximum = 0; ///< largest channel
-};
-
-struct CompiledPigment {
-  CompiledColour colour; ///< of a plain one
+/// A map of pigments along a pattern.
+struct CompiledPattern {
   std::shared_ptr<texture::PatternInstance const> pattern;
   std::vector<double> values;
   std::vector<int> entries; ///< numbers of pigments
-  bool opaque = true;       ///< nowhere does light pass
+};
+
+/// A million objects may each have their own: small, and without anything of its own to hold.
+struct CompiledPigment {
+  double filter = 0, transmit = 0; ///< of a plain one
+  std::uint32_t colour = 0;        ///< of a plain one: number of its colour (Stage::colour)
+  std::int32_t pattern = -1;       ///< in Stage::patterns; -1: the same everywhere
+  bool opaque = true;              ///< nowhere does light pass
 };
 
 struct CompiledReflection {
@@ -56,12 +56,16 @@ struct CompiledFinish {
   bool conserve_energy = false;
 };
 
+/// World (relative to the camera) -> texture space.
+struct TextureSpace {
+  Mat3 linear{1};
+  Vec3 offset{0};
+};
+
 struct CompiledLayer {
   int pigment = 0;
-  CompiledFinish finish;
-  /// World (relative to the camera) -> texture space; used by patterns only.
-  Mat3 to_texture_linear{1};
-  Vec3 to_texture_offset{0};
+  int finish = 0; ///< in Stage::finishes
+  int space = 0;  ///< in Stage::texture_spaces; used by patterns only
 };
 
 /// What a ray may travel in. Number 0 is the surrounding air.
@@ -108,8 +112,12 @@ struct Stage {
   Surfaces surfaces;                 ///< by PrimitiveId
   std::vector<CompiledSolid> solids; ///< by SolidId
   std::vector<CompiledLayer> layers;
+  std::vector<CompiledFinish> finishes;
+  std::vector<TextureSpace> texture_spaces{{}}; ///< [0]: the world's
   std::vector<CompiledPigment> pigments;
-  std::vector<Medium> media;                                 ///< [0] is air
+  std::vector<CompiledPattern> patterns;
+  std::vector<double> colours; ///< reflectances of plain pigments, channel by channel
+  std::vector<Medium> media;   ///< [0] is air
   std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
   std::vector<CompiledLight> lights;
   /// Light of different combs is kept apart on the film because the wavelengths that it stands for
@@ -139,6 +147,17 @@ struct Stage {
     return spectral ? static_cast<std::size_t>(bands().count()) : 0;
   }
   double lambda_nm(int channel) const { return lambdas_nm[static_cast<std::size_t>(channel)]; }
+  /// Channel by channel, that of a plain pigment.
+  double const* colour(CompiledPigment const& pigment) const {
+    return colours.data() + pigment.colour * static_cast<std::size_t>(channels);
+  }
+  CompiledFinish const& finish(CompiledLayer const& layer) const {
+    return finishes[static_cast<std::size_t>(layer.finish)];
+  }
+  Vec3 to_texture(CompiledLayer const& layer, Vec3 const& point) const {
+    TextureSpace const& space = texture_spaces[static_cast<std::size_t>(layer.space)];
+    return space.linear * point + space.offset;
+  }
   /// Does any texture of a surface ask for `reflection`?
   bool mirrors(Surface const& surface) const;
 };
@@ -146,5 +165,7 @@ struct Stage {
 /// Flattens a scene. The plan says which transport is used.
 /// The scene must have passed evaluation: nothing here can fail on user input.
 Stage compile(scene::Scene const& scene, plan::Plan const& plan);
+/// The same; the scene's objects are given up one by one, so that large scenes are not there twice.
+Stage compile(scene::Scene&& scene, plan::Plan const& plan);
 
 } // namespace abbe::render

@@ -5,41 +5,65 @@
 #include "scene/scene.hpp"
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace abbe::render {
 
-/// Everything about the surface of a primitive.
+/// Everything about the surface of a primitive: numbers of layers, which Surfaces keep.
 struct Surface {
-  std::vector<int> layers;          ///< from the bottom to the top
-  std::vector<int> interior_layers; ///< seen from inside, when the scene gives them
-  std::vector<std::vector<int>> face_layers;
+  std::span<int const> layers;          ///< from the bottom to the top
+  std::span<int const> interior_layers; ///< seen from inside, when the scene gives them
+  std::span<std::vector<int> const> face_layers;
   bool double_illuminate = false;
   /// Nothing but the change of media: clear glass.
   bool bare() const { return layers.empty() && interior_layers.empty() && face_layers.empty(); }
 };
 
-/// The surfaces of all primitives. Those of one layer and nothing else, which is most, are one for
-/// all that have that layer, and so are the bare ones.
+/// What a Surface looks into.
+struct SurfaceLayers {
+  std::vector<int> layers, interior_layers;
+  std::vector<std::vector<int>> face_layers;
+  bool double_illuminate = false;
+};
+
+/// The surfaces of all primitives. Of those with one layer and nothing else, which is most, only
+/// that layer's number is kept; the bare ones share one.
 class Surfaces {
 public:
-  Surface const& operator[](geometry::PrimitiveId primitive) const {
-    return distinct_[number_[primitive]];
+  Surface operator[](geometry::PrimitiveId primitive) const {
+    int const& number = number_[primitive];
+    if (number >= 0) return {{&number, 1}, {}, {}, false};
+    SurfaceLayers const& own = others_[static_cast<std::size_t>(~number)];
+    return {own.layers, own.interior_layers, own.face_layers, own.double_illuminate};
   }
-  /// The object that a primitive is made from.
-  scene::Object const& object(geometry::PrimitiveId primitive) const {
-    return *objects_[primitive];
-  }
+  /// Where the object stands that a primitive is made from, and what it was called.
+  struct Origin {
+    Span span;
+    std::string_view keyword;
+  };
+  Origin origin(geometry::PrimitiveId primitive) const;
   void reserve(std::size_t primitives);
-  /// Of the next primitive. @param object must live as long as this
-  void add(Surface surface, scene::Object const& object);
+  /// Of the next primitive.
+  void add(SurfaceLayers surface, scene::Object const& object);
 
 private:
-  std::vector<Surface> distinct_;
-  std::vector<std::uint32_t> number_;
-  std::vector<scene::Object const*> objects_;
-  /// By layer and one, 0 being none: the number of the surface that has just that, and one.
-  std::vector<std::uint32_t> plain_;
+  std::vector<int> number_; ///< of the one layer; or ~ of the place in others_
+  std::vector<SurfaceLayers> others_;
+  int bare_ = 0; ///< number of the bare ones, once there is one
+  /// Origins, kept small.
+  struct Place {
+    std::uint32_t begin, end;
+    std::uint32_t kind; ///< in kinds_
+  };
+  struct Kind {
+    SourceFile const* source;
+    std::string_view keyword;
+  };
+  std::uint32_t kind_of(scene::Object const& object);
+  std::vector<Place> places_;
+  std::vector<Kind> kinds_;
 };
 
 } // namespace abbe::render

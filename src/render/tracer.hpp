@@ -169,9 +169,9 @@ private:
   void meet_comb_fan(FanMet const& at, Beam const& light, LaneInterface& face);
 
   // tracer_fan_groups.cpp
-  /// What the rays meet that is Unclear; their hits become that of the surface that is shown.
+  /// Where rays meet several surfaces at once: their hits become that of the surface shown.
   /// @param t_max by ray; null: infinite @param here keeps the groups
-  /// @return false where nothing is Unclear: then nothing is written
+  /// @return false where nothing is: then nothing is written
   bool find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits, Frame& here,
                    FanGroups& groups);
   /// Do two rays meet the same surfaces? @param groups null: there are none

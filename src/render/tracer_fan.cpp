@@ -185,12 +185,15 @@ void spread(FanInterface const& met, std::size_t rays, int each, LaneInterface& 
   face.reflectance = arena.take<double>(lanes);
   face.transmittance = arena.take<double>(lanes);
   face.total = arena.take<bool>(lanes);
-  for (std::size_t k = 0; k < rays; ++k) {
-    auto const first = static_cast<int>(k) * each;
-    std::fill_n(face.reflectance + first, each, met.reflectance[k]);
-    std::fill_n(face.transmittance + first, each, met.transmittance[k]);
-    std::fill_n(face.total + first, each, met.total[k] != 0);
-  }
+  double *const reflectance = face.reflectance, *const transmittance = face.transmittance;
+  bool* const total = face.total;
+  int lane = 0;
+  for (std::size_t k = 0; k < rays; ++k)
+    for (int const end = lane + each; lane < end; ++lane) {
+      reflectance[lane] = met.reflectance[k];
+      transmittance[lane] = met.transmittance[k];
+      total[lane] = met.total[k] != 0;
+    }
 }
 
 } // namespace
@@ -207,28 +210,34 @@ double* Tracer::share_textured(FanMet const& at, Beam& light, LaneInterface& fac
                         &met.normal, &met.normal,           met.cos_i,   face.reflectance,
                         face.carrier};
   FanSurface const surface = shade_met(meeting, light, here, fan.inside, after, &shadows);
+  double* const throughput = light.throughput;
+  bool const any_mirrors =
+      std::find(surface.mirrors, surface.mirrors + n, true) != surface.mirrors + n;
+  if (!any_mirrors && !face.fresnel && !any_total) {
+    std::fill_n(returns, light.lanes, 0.0);
+    for (int k = 0; k < light.lanes; ++k) throughput[k] *= surface.passed[k];
+    return surface.passed;
+  }
   for (std::size_t k = 0; k < n; ++k) {
     auto const first = static_cast<int>(k) * each;
     LaneSurface const own = surface.of(k, each);
-    LaneInterface lanes = face;
-    lanes.reflectance += first;
-    lanes.transmittance += first;
-    lanes.total += first;
-    Beam const arriving = light.ray(static_cast<int>(k), each);
     bool const bent = own.mirrors && own.exponent != 1;
-    if (bent && std::none_of(lanes.total, lanes.total + each, is_total)) {
+    if (bent && std::none_of(face.total + first, face.total + first + each, is_total)) {
+      LaneInterface lanes = face;
+      lanes.reflectance += first;
+      lanes.transmittance += first;
+      lanes.total += first;
       hits.write_place(k, here.hit);
       lanes.normal = lanes.geometric = met.normal.get(k);
-      reflect(fan.lane(static_cast<int>(k)), arriving, here, lanes, own);
-      std::fill_n(returns + first, each, 0.0);
-    } else if (!own.mirrors && !face.fresnel && !any_total) {
+      reflect(fan.lane(static_cast<int>(k)), light.ray(static_cast<int>(k), each), here, lanes,
+              own);
       std::fill_n(returns + first, each, 0.0);
     } else {
       bool const passes = any_above(own.passed, each, 0);
       for (int c = 0; c < each; ++c)
-        returns[first + c] = arriving.throughput[c] * own.mirrored_weight(lanes, c, passes);
+        returns[first + c] = throughput[first + c] * own.mirrored_weight(face, c, passes, first);
     }
-    for (int c = 0; c < each; ++c) arriving.throughput[c] *= own.passed_weight(lanes, c);
+    for (int c = 0; c < each; ++c) throughput[first + c] *= own.passed_weight(face, c, first);
   }
   return surface.passed;
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-/// Hits of several surfaces at once (a filling against its vessel), in fans: each ray's is asked
-/// for alone, but those of the same surfaces go on together.
+/// Hits of several surfaces at once (a filling against its vessel), in fans: rays that meet the
+/// same ones go on together.
 namespace abbe::render {
 namespace {
 
@@ -27,33 +27,31 @@ bool same_surfaces(geometry::HitGroup const& a, geometry::HitGroup const& b) {
 
 bool Tracer::find_groups(FanRay const& fan, double const* t_max, geometry::FanHits& hits,
                          Frame& here, FanGroups& groups) {
-  auto const is_unclear = [](geometry::FanHit const& hit) {
-    return hit.kind == geometry::FanHit::Kind::Unclear;
+  using Kind = geometry::FanHit::Kind;
+  auto const is_several = [](geometry::FanHit const& hit) {
+    return hit.kind == Kind::Pair || hit.kind == Kind::Unclear;
   };
-  if (std::none_of(hits.hit, hits.hit + fan.lines->count, is_unclear)) return false;
+  if (std::none_of(hits.hit, hits.hit + fan.lines->count, is_several)) return false;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
   for (std::size_t k = 0; k < fan.lines->count; ++k) {
     groups[k] = nullptr;
     geometry::FanHit& hit = hits.hit[k];
-    if (!is_unclear(hit)) continue;
+    if (!is_several(hit)) continue;
     if (here.groups.size() == number) here.groups.emplace_back();
     geometry::HitGroup& group = here.groups[number++];
     double const until = t_max == nullptr ? infinity : t_max[k];
-    if (!stage_.world->closest_group(fan.lines->get(k), fan.from, fan.mask, until, *scratch_,
-                                     group)) {
-      hit.kind = geometry::FanHit::Kind::Nothing;
+    geometry::Ray const ray = fan.lines->get(k);
+    if (hit.kind == Kind::Pair) {
+      stage_.world->closest_pair(ray, hits.pair[k], fan.mask, until, *scratch_, group);
+    } else if (!stage_.world->closest_group(ray, fan.from, fan.mask, until, *scratch_, group)) {
+      hit.kind = Kind::Nothing;
       continue;
     }
     groups[k] = &group;
     geometry::SurfaceCrossing const& shown = group.crossings[carrier_of(group.crossings)];
-    hit = {geometry::FanHit::Kind::Single,
-           shown.entering,
-           shown.toggles,
-           shown.entering,
-           shown.solid,
-           shown.primitive,
-           shown.face};
+    hit = {Kind::Single, shown.entering,  shown.toggles, shown.entering,
+           shown.solid,  shown.primitive, shown.face};
     hits.t[k] = group.t;
     hits.error[k] = group.error;
     hits.point.set(k, group.point);

@@ -106,12 +106,8 @@ void Tracer::meet_comb_fan(FanMet const& at, Beam const& light, LaneInterface& f
       for (int i = 0; i < fan.lanes_each; ++i, ++k) {
         double on = let_through(k), asked = 0;
         LaneSurface const surface{&on, &asked};
-        LaneInterface own = face;
-        own.reflectance += k;
-        own.transmittance += k;
-        own.total += k;
-        back.throughput[k] = teeth.throughput[k] * surface.mirrored_weight(own, 0, passes);
-        teeth.throughput[k] *= surface.passed_weight(own, 0);
+        back.throughput[k] = teeth.throughput[k] * surface.mirrored_weight(face, 0, passes, k);
+        teeth.throughput[k] *= surface.passed_weight(face, 0, k);
       }
     }
     go_on(of_teeth, back, teeth, face, ways);

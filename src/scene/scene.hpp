@@ -84,7 +84,7 @@ struct Texture {
   Pigment pigment;
   Shared<Finish> finish;
   /// Texture space -> the space that its object stands in (Object's parent; the world in a Scene).
-  geometry::Placement placement;
+  geometry::RarePlacement placement;
 };
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;

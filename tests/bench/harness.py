@@ -61,6 +61,15 @@ class Bench:
         rays = re.search(r'(\d+) rays$', text, re.M)
         return Taken(usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024, int(rays.group(1)) if rays else 0)
 
+    def side_by_side(self, commands: list) -> float:
+        """Seconds of the clock until all have ended, started together."""
+        started = time.perf_counter()
+        running = [subprocess.Popen([str(word) for word in command], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for command in commands]
+        if any([process.wait() != 0 for process in running]):
+            raise Failed(f'one of {len(commands)} side by side failed: {" ".join(str(word) for word in commands[0])}')
+        return time.perf_counter() - started
+
     def race(self, commands: dict, runs: int = 0) -> dict:
         """Medians of each command, run in turn."""
         taken = {name: [] for name in commands}

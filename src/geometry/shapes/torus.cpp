@@ -84,6 +84,10 @@ void Torus::all_roots(Ray const& ray, Crossings& out) const {
   if (!(low < high)) return;
   double const middle = 0.5 * (low + high), scale = 0.5 * (high - low);
   Vec3 const q = p + middle * d, e = scale * d;
+  // Through the hole: the distance from the axis is largest at an end.
+  double const hole = major_ - minor_ - (major_ + minor_) * gamma_bound(32) - rounding;
+  auto const axis_distance2 = [](Vec3 const& at) { return at.x * at.x + at.z * at.z; };
+  if (hole > 0 && std::max(axis_distance2(q - e), axis_distance2(q + e)) < hole * hole) return;
 
   // (A + 2 B w + C w^2)^2 - 4 R^2 (a + 2 b w + c w^2), by its derivative's coefficients / 4.
   double const big_a = glm::dot(q, q) + (major_ - minor_) * (major_ + minor_);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Kernels one by one: what a ray asks of the world, and an interface of a ray. `ninja
 // bench_kernels`.
+#include "geometry/fan.hpp"
 #include "geometry/shapes/box.hpp"
+#include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/prism.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/torus.hpp"
 #include "geometry/world.hpp"
 #include "optics/refract.hpp"
+#include "render/fan_interface.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -83,6 +87,55 @@ void occluded(benchmark::State& state, World const& world) {
   state.SetItemsProcessed(state.iterations());
 }
 
+/// Whole fans from one place, spread a little: a time a ray.
+void closest_fan(benchmark::State& state, World const& world) {
+  auto const all = rays();
+  auto const scratch = World::make_scratch();
+  std::vector<FanLines> fans(64);
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    Ray const& first = all[i];
+    fans[i].count = fan_width;
+    for (std::size_t k = 0; k < fan_width; ++k) {
+      fans[i].origin.set(k, first.origin);
+      fans[i].direction.set(
+          k, glm::normalize(first.direction + 1e-3 * static_cast<double>(k) * Vec3(1, 0, 0)));
+      fans[i].origin_error.set(k, Vec3(0));
+    }
+  }
+  FanHits hits;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    world.closest_fan(fans[i++ % fans.size()], nullptr, 0xff, nullptr, *scratch, hits);
+    benchmark::DoNotOptimize(hits);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fan_width));
+}
+void fan_sphere(benchmark::State& state) {
+  closest_fan(state, world_of({*make_sphere(Vec3(0), 1)}));
+}
+/// As in prism_detail: a prism above a ground.
+void fan_prism(benchmark::State& state) {
+  closest_fan(state, world_of({*make_plane({0, 1, 0}, -2),
+                               *make_prism({{{-1, 0}, {1, 0}, {0, 1.5}}}, -1, 1, false)}));
+}
+/// Fresnel, Snell and the mirrored directions of a fan.
+void fan_interface(benchmark::State& state) {
+  FanVectors directions;
+  render::FanInterface face;
+  for (std::size_t k = 0; k < fan_width; ++k) {
+    double const cosine = 0.2 + 0.02 * static_cast<double>(k);
+    directions.set(k, {std::sqrt(1 - cosine * cosine), -cosine, 0});
+    face.normal.set(k, {0, 1, 0});
+    face.n1[k] = 1;
+    face.n2[k] = 1.7 + 0.002 * static_cast<double>(k);
+  }
+  for (auto _ : state) {
+    render::meet_fan(directions, fan_width, face);
+    benchmark::DoNotOptimize(face);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fan_width));
+}
+
 void closest_sphere(benchmark::State& state) {
   closest(state, world_of({*make_sphere(Vec3(0), 1)}));
 }
@@ -126,6 +179,9 @@ BENCHMARK(closest_spheres)->Arg(10)->Arg(1000)->Arg(100000);
 BENCHMARK(occluded_spheres)->Arg(10)->Arg(1000)->Arg(100000);
 BENCHMARK(build_spheres)->Arg(100000);
 BENCHMARK(interface);
+BENCHMARK(fan_sphere);
+BENCHMARK(fan_prism);
+BENCHMARK(fan_interface);
 
 } // namespace
 } // namespace abbe::geometry

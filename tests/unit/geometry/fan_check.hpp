@@ -20,41 +20,59 @@ inline void compare_fan_occlusion(World const& world, FanLines const& lines, Dep
   }
 }
 
-/// Asks for the rays together and one by one. @return rays whose answer was Single
-inline int compare_fan(World const& world, FanLines& lines, Departure const* from,
-                       double const* t_max, Scratch& scratch) {
-  lines.fill();
-  FanHits hits;
-  world.closest_fan(lines, from, 0xff, nullptr, scratch, hits);
-  compare_fan_occlusion(world, lines, from, t_max, scratch);
-  int single = 0;
-  for (std::size_t k = 0; k < lines.count; ++k) {
-    HitGroup alone, together;
-    bool const found = world.closest(lines.get(k), from, 0xff, infinity, scratch, alone);
-    FanHit const& hit = hits.hit[k];
-    if (hit.kind == FanHit::Kind::Unclear) {
-      EXPECT_TRUE(found);
-      continue;
-    }
-    EXPECT_EQ(found, hit.kind == FanHit::Kind::Single);
-    if (!found || hit.kind != FanHit::Kind::Single) continue;
-    hits.write(k, together);
-    EXPECT_EQ(alone.t, together.t);
-    EXPECT_EQ(alone.error, together.error);
-    EXPECT_EQ(alone.point, together.point);
-    EXPECT_EQ(alone.point_error, together.point_error);
-    EXPECT_EQ(alone.crossings.size(), 1U);
-    EXPECT_EQ(alone.members.size(), 1U);
-    SurfaceCrossing const &a = alone.crossings[0], &b = together.crossings[0];
+inline void expect_same_group(HitGroup const& alone, HitGroup const& together) {
+  EXPECT_EQ(alone.t, together.t);
+  EXPECT_EQ(alone.error, together.error);
+  EXPECT_EQ(alone.point, together.point);
+  EXPECT_EQ(alone.point_error, together.point_error);
+  ASSERT_EQ(alone.crossings.size(), together.crossings.size());
+  for (std::size_t i = 0; i < alone.crossings.size(); ++i) {
+    SurfaceCrossing const &a = alone.crossings[i], &b = together.crossings[i];
+    EXPECT_EQ(a.t, b.t);
     EXPECT_EQ(a.solid, b.solid);
     EXPECT_EQ(a.primitive, b.primitive);
     EXPECT_EQ(a.face, b.face);
     EXPECT_EQ(a.entering, b.entering);
     EXPECT_EQ(a.toggles, b.toggles);
-    EXPECT_EQ(alone.members[0].was_entering, together.members[0].was_entering);
-    ++single;
   }
-  return single;
+  ASSERT_EQ(alone.members.size(), together.members.size());
+  for (std::size_t i = 0; i < alone.members.size(); ++i) {
+    EXPECT_EQ(alone.members[i].primitive, together.members[i].primitive);
+    EXPECT_EQ(alone.members[i].face, together.members[i].face);
+    EXPECT_EQ(alone.members[i].was_entering, together.members[i].was_entering);
+  }
+}
+
+/// Rays of a fan, by what it said of them.
+struct FanCounts {
+  int single = 0, pairs = 0;
+};
+
+/// Asks for the rays together and one by one.
+inline FanCounts compare_fan(World const& world, FanLines& lines, Departure const* from,
+                             double const* t_max, Scratch& scratch) {
+  lines.fill();
+  FanHits hits;
+  world.closest_fan(lines, from, 0xff, nullptr, scratch, hits);
+  compare_fan_occlusion(world, lines, from, t_max, scratch);
+  FanCounts counts;
+  for (std::size_t k = 0; k < lines.count; ++k) {
+    HitGroup alone, together;
+    bool const found = world.closest(lines.get(k), from, 0xff, infinity, scratch, alone);
+    FanHit const& hit = hits.hit[k];
+    EXPECT_EQ(found, hit.kind != FanHit::Kind::Nothing);
+    if (hit.kind == FanHit::Kind::Single) {
+      hits.write(k, together);
+      ++counts.single;
+    } else if (hit.kind == FanHit::Kind::Pair) {
+      world.closest_pair(lines.get(k), hits.pair[k], 0xff, infinity, scratch, together);
+      ++counts.pairs;
+    } else {
+      continue;
+    }
+    expect_same_group(alone, together);
+  }
+  return counts;
 }
 
 } // namespace abbe::geometry::test

@@ -70,7 +70,7 @@ protected:
     return size * (2.0 * Vec3(x, y, z) - Vec3(1));
   }
 
-  int compare(FanLines& lines, Departure const* from) {
+  FanCounts compare(FanLines& lines, Departure const* from) {
     double t_max[fan_width];
     for (double& t : t_max) t = 20 * uniform();
     return compare_fan(world_, lines, from, t_max, *scratch_);
@@ -94,7 +94,7 @@ TEST_F(FanTest, EachRayMeetsWhatItMeetsAlone) {
       lines.origin_error.set(k, Vec3(0));
     }
     rays += static_cast<int>(lines.count);
-    single += compare(lines, nullptr);
+    single += compare(lines, nullptr).single;
     // From where the first one hits, to either side, with origins that have drifted apart.
     HitGroup hit;
     if (!world_.closest(lines.get(0), nullptr, 0xff, infinity, *scratch_, hit)) continue;
@@ -113,6 +113,29 @@ TEST_F(FanTest, EachRayMeetsWhatItMeetsAlone) {
   }
   // The comparison says something: most rays meet one clear surface.
   EXPECT_GT(single, rays / 2);
+}
+
+/// Both faces of a plate lie within the error of a ball's surface.
+TEST(FanPair, IsNoneWhereOneOfTheTwoSolidsIsMetTwice) {
+  double const gap = 1e-9;
+  // What has no bounds is asked last.
+  World const world({*make_sphere({0, 0, 1e6}, 1e6), *make_plane({0, 0, -1}, -gap),
+                     *make_plane({0, 0, 1}, 2 * gap)},
+                    {{leaf(0)}, {node(Op::Intersection, {leaf(1), leaf(2)})}});
+  ScratchPtr const scratch = World::make_scratch();
+  FanLines lines;
+  lines.count = 4;
+  double t_max[fan_width];
+  for (std::size_t k = 0; k < lines.count; ++k) {
+    lines.origin.set(k, Vec3(0, 0, -5));
+    lines.direction.set(k, Vec3(0, 0, 1));
+    lines.origin_error.set(k, Vec3(0));
+    t_max[k] = infinity;
+  }
+  HitGroup group;
+  ASSERT_TRUE(world.closest(lines.get(0), nullptr, 0xff, infinity, *scratch, group));
+  EXPECT_EQ(group.crossings.size(), 3U);
+  EXPECT_EQ(compare_fan(world, lines, nullptr, t_max, *scratch).pairs, 0);
 }
 
 } // namespace
