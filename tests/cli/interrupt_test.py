@@ -81,9 +81,9 @@ class Interrupt(CliTest):
         vertices = ', '.join(f'<{i}, {i * i % 7}, {i % 3}>' for i in range(300000))
         faces = ', '.join(f'<{i}, {i + 1}, {i + 2}>' for i in range(299998))
         self.write('mesh.scn', f'mesh2 {{ vertex_vectors {{ 300000, {vertices} }} '
-                               f'face_indices {{ 299998, {faces} }} }}\n' * 4)
+                               f'face_indices {{ 299998, {faces} }} }}\n' * 16)
         with Running(self.folder, 'check', 'mesh.scn') as running:
-            running.wait_until_busy(0.3)
+            running.wait_until_busy(0.2)
             self.ends(running, running.signal())
 
 
