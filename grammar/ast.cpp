@@ -14,7 +14,9 @@ LiteralVector LiteralVectors::operator[](std::size_t i) const {
   std::string_view const text = span.source->text();
   grammar::Iterator const last = text.data() + text.size();
   grammar::Iterator at = text.data() + begin[i];
-  while (*at != '>') at = *at == '/' ? std::max(at + 1, grammar::skip_blanks(at, last)) : at + 1;
+  // (The file may have changed under our eyes.)
+  while (at < last && *at != '>')
+    at = *at == '/' ? std::max(at + 1, grammar::skip_blanks(at, last)) : at + 1;
   one.span = {span.source, begin[i], static_cast<std::uint32_t>(at + 1 - text.data())};
   return one;
 }

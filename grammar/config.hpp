@@ -46,6 +46,23 @@ struct State {
   Iterator end = nullptr;             ///< of the text
   std::optional<Structure> structure; ///< made at the first #if
 
+  /// The text before is given up (FileText).
+  Iterator kept_from = nullptr;
+  void pass(Iterator at) {
+    constexpr std::ptrdiff_t piece = 1 << 20;
+    if (at - kept_from < piece) return;
+    source->bytes().give_up(static_cast<std::size_t>(kept_from - begin),
+                            static_cast<std::size_t>(at - begin));
+    kept_from = at;
+  }
+
+  /// Looks at the rest of the text.
+  void make_structure(Iterator from) {
+    structure = scan_structure(from, end);
+    source->bytes().give_up(static_cast<std::size_t>(from - begin),
+                            static_cast<std::size_t>(end - begin));
+  }
+
   Span span(Iterator from, Iterator to) const {
     return {source, static_cast<std::uint32_t>(from - begin),
             static_cast<std::uint32_t>(to - begin)};

@@ -55,7 +55,7 @@ struct TailDirective : x3::binary_parser<Subject, Tail, TailDirective<Subject, T
     Iterator const begin = skip_blanks(first, last);
     State& state = state_of(context);
     if (!state.structure && directive_at(begin, last).starts_with("if"))
-      state.structure = scan_structure(begin, state.end);
+      state.make_structure(begin);
     if (!this->left.parse(first, last, context, rcontext, node)) return false;
     if (!state.structure->tails.contains(begin)) return true;
     node.open_blocks = 1;

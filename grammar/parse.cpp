@@ -51,6 +51,7 @@ public:
       : last_(source.text().data() + source.text().size()), at_(source.text().data()) {
     state_.source = &source;
     state_.begin = at_;
+    state_.kept_from = at_;
     state_.end = last_;
   }
 
@@ -85,6 +86,7 @@ private:
     fresh.statements = state_.statements;
     fresh.pause = state_.pause;
     fresh.lasting = state_.lasting;
+    fresh.kept_from = state_.kept_from;
     fresh.structure = std::move(state_.structure);
     state_ = std::move(fresh);
   }
@@ -96,6 +98,7 @@ private:
       for (;;) {
         rules::items.parse(at, last_, context, x3::unused, all);
         at = skip_blanks(at, last_);
+        state_.pass(at);
         if (at >= state_.pause) return true;
         if (pending_.take(at, last_)) continue;
         error = stray(at, last_);

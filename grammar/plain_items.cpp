@@ -79,6 +79,7 @@ public:
       if (next == last_ || (*next != ',' && *next != '<' && *next != '}')) break;
       size_ = one.size;
       end = at;
+      state_.pass(at);
       if (count < many)
         items.emplace_back(ast::Expr(one));
       else

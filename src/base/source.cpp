@@ -5,14 +5,15 @@
 
 namespace abbe {
 
-SourceFile::SourceFile(std::string name, std::string text)
+SourceFile::SourceFile(std::string name, FileText text)
     : name_(std::move(name)), text_(std::move(text)) {}
 
 void SourceFile::index_lines() const {
   if (!line_starts_.empty()) return;
   line_starts_.push_back(0);
-  for (std::size_t i = 0; i < text_.size(); ++i)
-    if (text_[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
+  std::string_view const text = this->text();
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
 }
 
 SourceFile::Place SourceFile::place(std::uint32_t offset) const {
@@ -27,13 +28,14 @@ std::string_view SourceFile::line(int number) const {
   auto const index = static_cast<std::size_t>(number - 1);
   if (number < 1 || index >= line_starts_.size()) return {};
   std::size_t const begin = line_starts_[index];
-  std::size_t end = text_.find('\n', begin);
-  if (end == std::string::npos) end = text_.size();
-  if (end > begin && text_[end - 1] == '\r') --end;
-  return std::string_view(text_).substr(begin, end - begin);
+  std::string_view const text = this->text();
+  std::size_t end = text.find('\n', begin);
+  if (end == std::string_view::npos) end = text.size();
+  if (end > begin && text[end - 1] == '\r') --end;
+  return text.substr(begin, end - begin);
 }
 
-SourceFile const& SourceSet::add(std::string name, std::string text) {
+SourceFile const& SourceSet::add(std::string name, FileText text) {
   sources_.push_back(std::make_unique<SourceFile>(std::move(name), std::move(text)));
   return *sources_.back();
 }

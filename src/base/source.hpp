@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/file_text.hpp"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -13,11 +15,12 @@ namespace abbe {
 /// Immutable once made; spans refer to it by pointer, so keep it alive (SourceSet does).
 class SourceFile {
 public:
-  SourceFile(std::string name, std::string text);
+  SourceFile(std::string name, FileText text);
 
   /// The path as the user would type it, for messages.
   std::string const& name() const { return name_; }
-  std::string_view text() const { return text_; }
+  std::string_view text() const { return text_.view(); }
+  FileText const& bytes() const { return text_; }
 
   struct Place {
     int line;   ///< from 1
@@ -30,7 +33,7 @@ public:
 private:
   void index_lines() const;
   std::string name_;
-  std::string text_;
+  FileText text_;
   mutable std::vector<std::uint32_t> line_starts_; ///< filled on the first message
 };
 
@@ -49,7 +52,7 @@ struct Span {
 /// Owns the sources of one run.
 class SourceSet {
 public:
-  SourceFile const& add(std::string name, std::string text);
+  SourceFile const& add(std::string name, FileText text);
 
 private:
   std::vector<std::unique_ptr<SourceFile>> sources_;

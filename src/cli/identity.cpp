@@ -4,6 +4,7 @@
 #include "base/word_hash.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -22,8 +23,26 @@ void add(WordHash& hash, std::string_view text) {
 bool asks_elsewhere(std::string_view text) {
   constexpr std::string_view words[] = {"now", "datetime", "fopen", "glass_catalog"};
   return std::any_of(std::begin(words), std::end(words), [&](std::string_view word) {
-    return text.find(word) != std::string_view::npos;
+    return memmem(text.data(), text.size(), word.data(), word.size()) != nullptr;
   });
+}
+
+/// A source, a piece at a time, which are given up behind: they were when they were parsed.
+/// @return asks_elsewhere
+bool add(WordHash& hash, SourceFile const& source) {
+  constexpr std::size_t piece = std::size_t{1} << 20, longest_word = 16;
+  std::string_view const text = source.text();
+  bool elsewhere = false;
+  hash.add(text.size());
+  for (std::size_t begin = 0; begin < text.size(); begin += piece) {
+    std::string_view const bytes = text.substr(begin, piece);
+    hash.add(bytes.data(), bytes.size());
+    elsewhere = elsewhere || asks_elsewhere(text.substr(begin, piece + longest_word));
+    source.bytes().give_up(begin, begin + bytes.size());
+  }
+  // Not what the scene was made of: no later run shall take its tiles.
+  if (source.bytes().changed()) add(hash, "changed");
+  return elsewhere;
 }
 
 std::string program() {
@@ -40,8 +59,8 @@ std::uint64_t picture_identity(lang::Evaluated const& evaluated,
   WordHash hash;
   bool elsewhere = false;
   for (SourceFile const* text : evaluated.texts) {
-    add(hash, text->text());
-    elsewhere = elsewhere || asks_elsewhere(text->text());
+    bool const asks = add(hash, *text);
+    elsewhere = elsewhere || asks;
   }
   if (elsewhere) add(hash, lang::dump_scene(evaluated.scene));
   render::Region const region = options.pixels();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/diagnostic.hpp"
+#include "base/heap.hpp"
 #include "cli/commands.hpp"
 
 #include <array>
@@ -97,6 +98,7 @@ void limit_memory() {
 } // namespace
 
 int main(int argc, char** argv) {
+  abbe::use_one_heap();
   limit_memory();
   // A file that would grow beyond `ulimit -f` is an error of the write, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);

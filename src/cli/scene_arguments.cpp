@@ -22,6 +22,14 @@ extern "C" void on_interrupt(int) {
   _exit(130);
 }
 
+/// Files are looked at where they lie; one of them was cut short.
+extern "C" void on_lost_text(int) {
+  constexpr std::string_view message = "abbe: a file was cut short while it was read: try again\n";
+  [[maybe_unused]] auto const written = write(2, message.data(), message.size());
+  image::remove_unfinished();
+  _exit(3);
+}
+
 std::string check_declaration(std::string const& text) {
   auto const equals = text.find('=');
   if (equals == std::string::npos || equals == 0) return "expected NAME=VALUE, got '" + text + "'";
@@ -56,6 +64,7 @@ scene::SpectralSettings spectral_settings(std::string const& phrase) {
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGBUS, on_lost_text);
 }
 
 std::filesystem::path stdlib_dir() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/evaluate.hpp"
 
+#include "base/heap.hpp"
 #include "lang/interpreter.hpp"
 
 #include <algorithm>
@@ -8,10 +9,6 @@
 #include <exception>
 #include <fmt/format.h>
 #include <pthread.h>
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 namespace abbe::lang {
 namespace {
@@ -66,15 +63,7 @@ void declare_options(Interpreter& in) {
   }
 }
 
-/// What the trees took goes back to the system: the allocator keeps it for the thread that is gone,
-/// and the renderer would take as much again.
-void return_memory() {
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
-}
-
-Evaluated evaluate(std::string name, std::string text, std::filesystem::path const& folder,
+Evaluated evaluate(std::string name, FileText text, std::filesystem::path const& folder,
                    EvaluateOptions const& options) {
   Evaluated result;
   result.sources = std::make_unique<SourceSet>();
@@ -93,7 +82,16 @@ Evaluated evaluate(std::string name, std::string text, std::filesystem::path con
     result.texts.push_back(&source);
     result.scene = std::move(in.state.scene);
   });
-  if (source.text().size() > trees_that_count) return_memory();
+  for (SourceFile const* read : result.texts) {
+    if (read->bytes().changed())
+      result.diagnostics.push_back({"E0507",
+                                    Severity::Error,
+                                    {read, 0, 0},
+                                    "this file was written to while it was read: try again",
+                                    {}});
+  }
+  // What the trees took: the renderer needs it for other things.
+  if (source.text().size() > trees_that_count) give_back_memory();
   return result;
 }
 
@@ -106,7 +104,7 @@ bool Evaluated::ok() const {
 }
 
 Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options) {
-  auto text = read_whole(path);
+  auto text = FileText::read(path);
   if (!text) {
     Evaluated result;
     result.sources = std::make_unique<SourceSet>();

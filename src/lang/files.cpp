@@ -41,25 +41,6 @@ bool below(fs::path const& path, fs::path const& folder) {
 
 } // namespace
 
-std::optional<std::string> read_whole(fs::path const& path) {
-  std::error_code failed;
-  if (!fs::is_regular_file(path, failed)) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  std::string text;
-  // Of the size that it has, in one piece; on if it has grown, or told none (/proc).
-  std::uintmax_t const told = fs::file_size(path, failed);
-  std::size_t more = failed ? 0 : static_cast<std::size_t>(told);
-  for (std::size_t size = 0; in; more = 4096) {
-    text.resize(size + more);
-    in.read(text.data() + size, static_cast<std::streamsize>(more));
-    size += static_cast<std::size_t>(in.gcount());
-    text.resize(size);
-    if (in.peek() == std::ifstream::traits_type::eof()) break;
-  }
-  if (!in.eof() || in.bad()) return std::nullopt;
-  return text;
-}
-
 std::vector<fs::path> Files::folders(SourceFile const* from) const {
   std::vector<fs::path> all;
   auto const origin = origins_.find(from);
@@ -90,7 +71,7 @@ Result<Files::Found> Files::load(std::string_view name, SourceFile const* from) 
   std::string searched;
   for (fs::path const& folder : folders(from)) {
     fs::path const path = folder / fs::path(name);
-    if (auto text = read_whole(path)) return Found{path, std::move(*text)};
+    if (auto text = FileText::read(path)) return Found{path, std::move(*text)};
     if (fs::path(name).is_absolute()) break;
     searched += fmt::format("{}'{}'", searched.empty() ? "" : ", ",
                             folder.empty() ? "." : folder.generic_string());
@@ -114,7 +95,7 @@ SourceFile const* Files::include(std::string_view name, Span span) {
     return nullptr;
   }
   SourceFile const*& known = included_[found->path];
-  if (!known || known->text() != found->text) {
+  if (!known || known->text() != found->text.view()) {
     known = &in_.add_source(found->path.generic_string(), std::move(found->text));
     origins_[known] = found->path.parent_path();
   }
@@ -132,7 +113,7 @@ Result<std::shared_ptr<FileValue>> Files::open_read(std::string_view name, Sourc
                     name)};
   auto file = std::make_shared<FileValue>();
   file->path = found->path;
-  file->text = std::move(found->text);
+  file->text = std::move(found->text).take();
   return file;
 }
 
@@ -145,7 +126,7 @@ Result<std::shared_ptr<FileValue>> Files::open_write(std::string_view name, bool
   if (!written.opened_at.valid()) {
     written.opened_at = span;
     if (append)
-      if (auto text = read_whole(path)) written.text = std::move(*text);
+      if (auto text = FileText::read(path)) written.text = std::move(*text).take();
   }
   if (!append) written.text.clear();
   written.read_back = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/file_text.hpp"
 #include "base/result.hpp"
 #include "base/source.hpp"
 #include "lang/value.hpp"
@@ -15,9 +16,6 @@
 namespace abbe::lang {
 
 class Interpreter;
-
-/// The bytes of a regular file; nullopt when it is none or cannot be read.
-std::optional<std::string> read_whole(std::filesystem::path const& path);
 
 /// An open file of `#fopen`.
 struct FileValue {
@@ -66,7 +64,7 @@ public:
   /// A found file: where, its name for messages, and its text.
   struct Found {
     std::filesystem::path path;
-    std::string text;
+    FileText text;
   };
   Result<Found> load(std::string_view name, SourceFile const* from);
   bool exists(std::string_view name, SourceFile const* from);

@@ -151,7 +151,7 @@ std::filesystem::path const& stdlib_dir(Interpreter& in) {
 Result<std::string> load_file(Interpreter& in, std::string_view path_as_written) {
   auto found = in.files.load(path_as_written, in.reader.current_source());
   if (!found) return found.error();
-  return std::move(found->text);
+  return std::move(found->text).take();
 }
 
 void read_text(Interpreter& in, std::string name, std::string text,

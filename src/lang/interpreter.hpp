@@ -49,7 +49,7 @@ public:
 
   /// Parses a source, once; its syntax errors are reported. The tree lives as long as the run.
   ast::Document const& document(SourceFile const& source);
-  SourceFile const& add_source(std::string name, std::string text) {
+  SourceFile const& add_source(std::string name, FileText text) {
     texts.push_back(&sources_.add(std::move(name), std::move(text)));
     return *texts.back();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_objects.hpp"
 
-#include "base/give_back.hpp"
+#include "base/heap.hpp"
 #include "base/word_hash.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/world_builder.hpp"

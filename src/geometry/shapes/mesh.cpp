@@ -30,26 +30,40 @@ void Mesh::permute(std::vector<T>& items, std::vector<std::uint32_t> const& orde
 }
 
 Mesh::Mesh(MeshData data) : data_(std::move(data)) {
-  auto const corner = [this](Corners const& face, std::size_t i) {
-    return data_.vertices[face[i]];
-  };
-  auto const low = [&](Corners const& face) {
-    return glm::min(corner(face, 0), glm::min(corner(face, 1), corner(face, 2))) - box_slack;
-  };
-  auto const high = [&](Corners const& face) {
-    return glm::max(corner(face, 0), glm::max(corner(face, 1), corner(face, 2))) + box_slack;
-  };
   BvhSpaceFinder finder;
-  for (Corners const& face : data_.faces) finder.add(low(face), high(face));
+  for (Corners const& face : data_.faces) {
+    auto const [low, high] = extent(face);
+    finder.add(low, high);
+  }
   bounds_ = finder.hull();
-  BvhSpace const space = finder.space();
+  space_ = finder.space();
+}
+
+Mesh::Extent Mesh::extent(Corners const& face) const {
+  Vec3 const &a = data_.vertices[face[0]], &b = data_.vertices[face[1]],
+             &c = data_.vertices[face[2]];
+  return {glm::min(a, glm::min(b, c)) - box_slack, glm::max(a, glm::max(b, c)) + box_slack};
+}
+
+Bvh const& Mesh::hierarchy() const {
+  if (!hierarchy_.there.load(std::memory_order_acquire)) {
+    std::call_once(hierarchy_.once, [this] {
+      build();
+      hierarchy_.there.store(true, std::memory_order_release);
+    });
+  }
+  return hierarchy_.bvh;
+}
+
+void Mesh::build() const {
   std::vector<BvhBox> boxes;
   boxes.reserve(data_.faces.size());
   for (Corners const& face : data_.faces) {
-    boxes.push_back(space.box(low(face), high(face), static_cast<std::uint32_t>(boxes.size())));
+    auto const [low, high] = extent(face);
+    boxes.push_back(space_.box(low, high, static_cast<std::uint32_t>(boxes.size())));
   }
-  bvh_ = Bvh(space, std::move(boxes), 4);
-  std::vector<std::uint32_t> const order = bvh_.take_items();
+  hierarchy_.bvh = Bvh(space_, std::move(boxes), 4);
+  std::vector<std::uint32_t> const order = hierarchy_.bvh.take_items();
   permute(data_.faces, order);
   permute(data_.normal_corners, order);
   permute(data_.uv_corners, order);
@@ -58,9 +72,10 @@ Mesh::Mesh(MeshData data) : data_(std::move(data)) {
 
 template <class Visit>
 void Mesh::each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const {
+  Bvh const& bvh = hierarchy();
   // The hierarchy sees exactly the line that the triangles see.
-  NodeProbe const probe(Ray{line.point, line.direction, Vec3(0)}, bvh_.space());
-  walk(bvh_, probe, from, to, [&](std::uint32_t face) {
+  NodeProbe const probe(Ray{line.point, line.direction, Vec3(0)}, bvh.space());
+  walk(bvh, probe, from, to, [&](std::uint32_t face) {
     Corners const& f = data_.faces[face];
     auto const hit =
         hit_triangle(line, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
@@ -196,7 +211,7 @@ std::size_t Mesh::memory() const {
   auto const bytes = [](auto const& v) { return v.capacity() * sizeof(v[0]); };
   return sizeof(*this) + bytes(data_.vertices) + bytes(data_.faces) + bytes(data_.normals)
          + bytes(data_.normal_corners) + bytes(data_.uv) + bytes(data_.uv_corners)
-         + bytes(data_.textures) + bytes(bvh_.nodes());
+         + bytes(data_.textures) + bytes(hierarchy_.bvh.nodes());
 }
 
 namespace {

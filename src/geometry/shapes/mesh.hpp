@@ -6,7 +6,9 @@
 #include "geometry/shapes/triangle_test.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -33,8 +35,9 @@ struct MeshData {
 /// origin (a power of two: scaling a mesh changes no bit of it).
 ///
 /// With an inside_vector the mesh is solid: crossings along a line alternate between entering and
-/// leaving, starting outside at -infinity. Without, each triangle is a patch. Face numbers are
-/// those of the hierarchy, not of the file.
+/// leaving, starting outside at -infinity. Without, each triangle is a patch. The hierarchy is
+/// built when something is looked for in it for the first time. Face numbers are those of the
+/// hierarchy, not of the file.
 class Mesh final : public Shape {
 public:
   /// @param data indices valid, no face degenerate (make_mesh sees to it)
@@ -58,14 +61,26 @@ public:
   bool closed() const;
 
 private:
+  struct Hierarchy {
+    std::once_flag once;
+    std::atomic<bool> there = false; ///< as call_once knows, at the price of a load
+    Bvh bvh;                         ///< its items are the faces as they then stand
+  };
+  struct Extent {
+    Vec3 low, high;
+  };
+  Extent extent(Corners const& face) const;
+  Bvh const& hierarchy() const;
+  void build() const;
   template <class T>
   static void permute(std::vector<T>& items, std::vector<std::uint32_t> const& order);
   template <class Visit>
   void each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const;
   Vec3 weights(Vec3 const& point, std::uint32_t face) const;
 
-  MeshData data_;
-  Bvh bvh_; ///< its items are the faces as they stand
+  mutable MeshData data_; ///< sorted once, when the hierarchy is built
+  mutable Hierarchy hierarchy_;
+  BvhSpace space_;
   Bounds bounds_;
 };
 

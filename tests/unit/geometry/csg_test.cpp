@@ -365,6 +365,12 @@ TEST(Mesh, AMillionFacesAreSmallAndQuick) {
   auto const faces = static_cast<double>(grid.faces.size());
   PlacedShape const placed = *make_mesh(std::move(grid)).shape;
   auto const& mesh = dynamic_cast<Mesh const&>(*placed.shape);
+  EXPECT_FALSE(mesh.inside(Vec3(0))); // without an inside nothing is looked for
+  auto const unsorted = static_cast<double>(mesh.memory());
+  Crossings found;
+  mesh.crossings(Ray{Vec3(0.25, -9, 0.25), Vec3(0, 1, 0), Vec3(0)}, nullptr, found);
+  EXPECT_EQ(found.size(), 1U);
+  EXPECT_GT(static_cast<double>(mesh.memory()), unsorted); // now there is a hierarchy
   EXPECT_LT(static_cast<double>(mesh.memory()) / faces, 100);
   RecordProperty("bytes_per_face", std::to_string(static_cast<double>(mesh.memory()) / faces));
   World const world({placed}, {{leaf(0)}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/give_back.hpp"
+#include "base/heap.hpp"
 
 #include <cstdlib>
 
@@ -8,6 +8,12 @@
 #endif
 
 namespace abbe {
+
+void use_one_heap() {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 1);
+#endif
+}
 
 void give_back_memory() {
 #ifdef __GLIBC__
