@@ -17,6 +17,7 @@ namespace {
 
 /// From so many items on, runs of neighbours are sorted out first.
 constexpr std::uint32_t treelets_from = 1 << 14, treelet_size = 16;
+constexpr std::size_t few_nodes = 1 << 14;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Four sides of a box at a time, said outright: compilers make single operations of plain loops.
@@ -217,7 +218,7 @@ struct Builder {
     return best;
   }
 
-  /// The same plane.
+  /// The same plane, unless it lies across an axis along which the items hardly spread.
   Plane best_plane_of_few(std::uint32_t begin, std::uint32_t end, Extent const& extent) const {
     Grid const grid(extent);
     std::uint32_t const count = end - begin;
@@ -226,10 +227,12 @@ struct Builder {
       FourPlaces const place = grid(Sides(refs[begin + i]).middle());
       std::memcpy(at[i], &place, sizeof place);
     }
+    Four const wide = extent.high - extent.low;
+    float const least = 0.25F * std::max(wide[0], std::max(wide[1], wide[2]));
     Plane best;
     std::array<Bin, few> binned;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!grid.usable(axis)) continue;
+      if (!grid.usable(axis) || wide[axis] < least) continue;
       std::uint32_t filled = 0; // bins that have items, as bits
       for (std::uint32_t i = 0; i < count; ++i) filled |= 1U << at[i][axis];
       int place[bins];
@@ -300,7 +303,8 @@ Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_si
     : space_(space) {
   if (boxes.empty()) return;
   auto const count = static_cast<std::uint32_t>(boxes.size());
-  nodes_.reserve(count);
+  // As many as there are if leaves are half full.
+  nodes_.reserve(count / std::max(1U, leaf_size / 2));
   std::vector<Treelet> runs;
   if (count >= treelets_from && count <= most_in_treelets)
     runs = make_treelets(boxes, treelet_size);
@@ -325,7 +329,8 @@ Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_si
   items_.reserve(count);
   for (BvhBox const& box : builder.refs) items_.push_back(box.item);
   builder.refs = {};
-  nodes_.shrink_to_fit();
+  // In a large block, what was never touched takes no memory, and copying the rest does.
+  if (nodes_.capacity() < few_nodes) nodes_.shrink_to_fit();
 }
 
 } // namespace abbe::geometry

@@ -57,16 +57,18 @@ struct Space {
 
 /// By 11 bits at a time, from the lowest; stable.
 void sort(std::vector<Key>& keys) {
+  auto const digit = [](Key key, std::size_t k) {
+    return static_cast<std::size_t>(key >> (place_bits + static_cast<int>(k) * bits)) % (1 << bits);
+  };
+  std::array<std::array<std::uint32_t, 1 << bits>, 3> start{};
+  for (Key const key : keys) {
+    for (std::size_t k = 0; k < 3; ++k) ++start[k][digit(key, k)];
+  }
   std::vector<Key> other(keys.size());
-  for (int shift = place_bits; shift < place_bits + 3 * bits; shift += bits) {
-    std::array<std::uint32_t, 1 << bits> start{};
-    auto const digit = [shift](Key key) {
-      return static_cast<std::size_t>(key >> shift) % (1 << bits);
-    };
-    for (Key const key : keys) ++start[digit(key)];
+  for (std::size_t k = 0; k < 3; ++k) {
     std::uint32_t sum = 0;
-    for (std::uint32_t& number : start) sum += std::exchange(number, sum);
-    for (Key const key : keys) other[start[digit(key)]++] = key;
+    for (std::uint32_t& number : start[k]) sum += std::exchange(number, sum);
+    for (Key const key : keys) other[start[k][digit(key, k)]++] = key;
     keys.swap(other);
   }
 }
