@@ -51,7 +51,7 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
   return 2;
 }
 
-/// Subdivision makes 4^depth cells of a pixel.
+/// Subdivision makes 4^(depth - 1) cells of a pixel.
 int check_anti_aliasing(render::AntiAliasing const& aa) {
   constexpr int deepest = 9;
   if (aa.method != 2 || aa.depth <= deepest) return 0;
@@ -92,7 +92,8 @@ void add_options(CLI::App& app, RenderArguments& arguments) {
           [&](std::string const& text) { return set_anti_aliasing(text, options.anti_aliasing); })
       ->capture_default_str();
   app.add_option("--aa-method", options.anti_aliasing.method,
-                 "1: grid in pixels that differ from a neighbour; 2: subdivision from the corners")
+                 "1: grid in pixels that differ from a neighbour; 2: subdivision from the corners, "
+                 "N - 1 times")
       ->check(CLI::Range(1, 2));
   app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
       ->check(CLI::Range(0.0, 3.0))

@@ -90,6 +90,7 @@ private:
   }
   int width() const { return region_.x1 - region_.x0; }
 
+  bool subdivides() const { return options_.anti_aliasing.method == 2; }
   /// Every pixel is sampled again, and its first sample does not count: it need not be made.
   bool grid_alone() const {
     auto const& aa = options_.anti_aliasing;
@@ -156,9 +157,14 @@ private:
       result_.counts.add(tracer.counts());
       cut.add(tracer.cut_light());
     }
-    double const samples = std::max(1.0, static_cast<double>(result_.counts.camera));
+    auto counted = static_cast<double>(result_.counts.camera);
+    if (subdivides()) { // by pixel, not by sample
+      cut.sum = kept_.cut.sum + lost_;
+      counted = static_cast<double>(width()) * (region_.y1 - region_.y0);
+    }
     auto const missing = [&](double lost) { return lost > 0 ? lost * stage_.brightest : 0; };
-    result_.missing_mean = missing(static_cast<double>(cut.sum) * CutLight::unit / samples);
+    result_.missing_mean =
+        missing(static_cast<double>(cut.sum) * CutLight::unit / std::max(1.0, counted));
     result_.missing_most = missing(cut.worst_sample);
   }
 
@@ -179,13 +185,17 @@ private:
   Strip sampled_strip(int tile0) {
     Strip strip = make_strip(tile0);
     if (grid_alone()) return strip;
-    bool const subdivide = options_.anti_aliasing.method == 2;
     auto const all = [](int, int) { return true; };
-    std::size_t const most = subdivide ? 1 : geometry::fan_width;
+    std::size_t most = geometry::fan_width;
+    if (subdivides()) {
+      // Work is stopped between groups only, and all cells of a pixel may be uneven.
+      std::size_t const cells = std::size_t{1} << 2 * (options_.anti_aliasing.depth - 1);
+      most = std::clamp<std::size_t>(4096 / cells, 1, 2 * geometry::fan_width);
+    }
     for_each_tile(strip, 0, most, all,
                   [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
-                    if (subdivide)
-                      *out = sampler.subdivided(pixels[0]);
+                    if (subdivides())
+                      sampler.subdivided(pixels, out);
                     else
                       sampler.centres(pixels, out);
                   });
@@ -253,7 +263,9 @@ private:
         });
         if (!whole || first_wrong_ != none) return;
         rays_ += tracer.counts().total() - before.total();
-        if (options_.checkpoint) keep(strip, box, phase, tile, tracer, before, cut_before);
+        lost_ += sampler.lost();
+        if (options_.checkpoint)
+          keep(strip, box, phase, tile, tracer, sampler.lost(), before, cut_before);
       }
       report(phase);
     };
@@ -300,13 +312,13 @@ private:
   }
 
   void keep(Strip& strip, Box const& box, std::uint32_t phase, int tile, Tracer const& tracer,
-            RayCounts const& before, CutLight const& cut_before) {
+            std::uint64_t lost, RayCounts const& before, CutLight const& cut_before) {
     TileResult result;
     result.counts = tracer.counts();
     result.counts.subtract(before);
     result.cut = tracer.cut_light();
     result.cut.paths -= cut_before.paths;
-    result.cut.sum -= cut_before.sum;
+    result.cut.sum = subdivides() ? lost : result.cut.sum - cut_before.sum;
     rows_of(strip, box, [&](std::vector<float>& from, std::size_t first, std::size_t count) {
       auto const begin = from.begin() + static_cast<std::ptrdiff_t>(first);
       result.values.insert(result.values.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
@@ -357,7 +369,8 @@ private:
   int strip_rows_ = 1;        ///< rows of tiles in a strip
   double first_share_ = 1;    ///< of the work that the first phase is
   RenderResult result_;
-  TileResult kept_; ///< counts of the tiles that the checkpoint had
+  std::atomic<std::uint64_t> lost_ = 0; ///< PixelSampler::lost() of the tiles made
+  TileResult kept_;                     ///< counts of the tiles that the checkpoint had
   tbb::enumerable_thread_specific<Tracer> tracers_;
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> finished_[2]{};

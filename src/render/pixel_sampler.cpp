@@ -2,7 +2,6 @@
 #include "render/pixel_sampler.hpp"
 
 #include "render/camera.hpp"
-#include "render/marks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +10,13 @@ namespace abbe::render {
 
 void Sampled::add(Sampled const& other) {
   rgb += other.rgb;
+  lost += other.lost;
   for (std::size_t i = 0; i < bands.size(); ++i) bands[i] += other.bands[i];
 }
 
 void Sampled::scale(double factor) {
   rgb *= factor;
+  lost *= factor;
   for (auto& band : bands) band *= factor;
 }
 
@@ -24,7 +25,8 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       options_(options),
       tracer_(tracer),
       frame_key_(options.seed),
-      grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << options.anti_aliasing.depth : 1),
+      grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << (options.anti_aliasing.depth - 1)
+                                              : 1),
       negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
 
 Sampled PixelSampler::at(Spot const& spot) {
@@ -32,6 +34,7 @@ Sampled PixelSampler::at(Spot const& spot) {
   if (options_.spectral_output) out.bands.resize(stage_.film_bands());
   auto const ray = camera_ray(stage_.camera, spot.x, spot.y, options_.width, options_.height);
   out.rgb = tracer_.sample(ray, spot.key, out.bands);
+  out.lost = tracer_.lost_of(0);
   if (options_.check_finite) check(spot, 0, out.rgb);
   return out;
 }
@@ -58,6 +61,7 @@ void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* ou
   for (std::size_t k = 0; k < count; ++k) {
     out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
     out[k].rgb = tracer_.light_of(k, out[k].bands);
+    out[k].lost = tracer_.lost_of(k);
     if (options_.check_finite) check(spots[k], k, out[k].rgb);
   }
 }
@@ -130,50 +134,6 @@ void PixelSampler::refined(std::span<Pixel const> pixels, bool middle, Sampled* 
     for (std::size_t k = 0; k < each; ++k) sum.add(taken_[i * each + k]);
     sum.scale(1.0 / static_cast<double>(each));
   }
-}
-
-Sampled PixelSampler::corner(std::int64_t x, std::int64_t y) {
-  auto const key = frame_key_.child(static_cast<std::uint64_t>(y) + 0x100000000ULL)
-                       .child(static_cast<std::uint64_t>(x));
-  auto const scale = static_cast<double>(grid_);
-  return at(
-      spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0, subdivided_));
-}
-
-Sampled PixelSampler::cell(std::int64_t x, std::int64_t y, std::int64_t size,
-                           Sampled const (&c)[4]) {
-  bool uneven = false;
-  for (int i = 0; i < 4 && size > 1; ++i)
-    for (int j = i + 1; j < 4; ++j) uneven = uneven || differ(c[i].rgb, c[j].rgb);
-  if (!uneven) {
-    Sampled mean = c[0];
-    for (int i = 1; i < 4; ++i) mean.add(c[i]);
-    mean.scale(0.25);
-    return mean;
-  }
-  std::int64_t const h = size / 2;
-  Sampled const top = corner(x + h, y), left = corner(x, y + h), middle = corner(x + h, y + h),
-                right = corner(x + size, y + h), bottom = corner(x + h, y + size);
-  Sampled sum = cell(x, y, h, {c[0], top, left, middle});
-  sum.add(cell(x + h, y, h, {top, c[1], middle, right}));
-  sum.add(cell(x, y + h, h, {left, middle, c[2], bottom}));
-  sum.add(cell(x + h, y + h, h, {middle, right, bottom, c[3]}));
-  sum.scale(0.25);
-  return sum;
-}
-
-Sampled PixelSampler::subdivided(Pixel const& pixel) {
-  subdivided_ = pixel;
-  std::int64_t const left = pixel.x * grid_, top = pixel.y * grid_;
-  return cell(left, top, grid_,
-              {corner(left, top), corner(left + grid_, top), corner(left, top + grid_),
-               corner(left + grid_, top + grid_)});
-}
-
-bool PixelSampler::differ(Vec3 const& a, Vec3 const& b) const {
-  double difference = 0;
-  for (int c = 0; c < 3; ++c) difference += std::abs(as_seen(a[c]) - as_seen(b[c]));
-  return difference >= options_.anti_aliasing.threshold;
 }
 
 } // namespace abbe::render

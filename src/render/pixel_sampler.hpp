@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/number_table.hpp"
 #include "render/pixel_order.hpp"
 #include "render/render.hpp"
 
@@ -13,6 +14,7 @@ namespace abbe::render {
 /// Colour of a pixel or sample, with its spectrum when that is wanted.
 struct Sampled {
   Vec3 rgb{0};
+  double lost = 0; ///< what was cut of it (CutLight)
   std::vector<double> bands;
 
   void add(Sampled const& other);
@@ -31,11 +33,12 @@ public:
   /// Method 1: the mean of the grid of each pixel, and of its middle. @param middle false: of the
   /// grid alone
   void refined(std::span<Pixel const> pixels, bool middle, Sampled* out);
-  /// Method 2: the pixel from its corners, subdivided where they differ.
-  Sampled subdivided(Pixel const& pixel);
-
-  /// Do two samples differ by more than the threshold, as the eye sees them (gamma 2.5)?
-  bool differ(Vec3 const& a, Vec3 const& b) const;
+  /// Method 2: each pixel from its corners, subdivided where they differ. Samples are kept: pixels
+  /// that share a corner, and cells within them, share what was sampled there.
+  void subdivided(std::span<Pixel const> pixels, Sampled* out);
+  /// What was cut of the light of subdivided pixels, in CutLight::unit. It is counted by pixel: how
+  /// many samples are shared depends on tiles.
+  std::uint64_t lost() const { return lost_; }
 
   /// With RenderOptions::check_finite: the sample whose light is wrong, without its path; of
   /// several the first in rows.
@@ -65,8 +68,27 @@ private:
   void at_together(Spot const* spots, std::size_t count, Sampled* out);
   /// @param place of the sample among those that the tracer has just traced
   void check(Spot const& spot, std::size_t place, Vec3 const& rgb);
-  Sampled corner(std::int64_t x, std::int64_t y);
-  Sampled cell(std::int64_t x, std::int64_t y, std::int64_t size, Sampled const (&corners)[4]);
+  // Method 2 (pixel_corners.cpp). Places are counted in steps of its grid.
+  struct Corner {
+    std::int64_t x, y;
+    Sampled sampled;
+    Vec3 seen; ///< as_seen() of its components
+  };
+  /// A pixel or a part of it.
+  struct Cell {
+    std::int64_t x, y, size;
+    Pixel pixel;
+    std::uint32_t corners[4]; ///< top left, top right, bottom left, bottom right
+    std::uint32_t parts = 0;  ///< the first of its four, in the same order; 0: it has none
+  };
+  /// The number of a corner. If nothing is there yet, it waits for take_corners().
+  std::uint32_t corner(std::int64_t x, std::int64_t y, Pixel const& pixel);
+  void take_corners();
+  /// Do two of its corners differ by the threshold or more, as the eye sees them?
+  bool uneven(Cell const& cell) const;
+  /// Appends its four parts.
+  void divide(std::size_t cell);
+  Sampled mean(Cell const& cell) const;
 
   Stage const& stage_;
   RenderOptions const& options_;
@@ -75,9 +97,12 @@ private:
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
-  Pixel subdivided_{0, 0};     ///< the pixel of method 2 that is in work
   std::vector<Spot> spots_;    ///< in work
-  std::vector<Sampled> taken_; ///< of refined()
+  std::vector<Sampled> taken_; ///< of spots_
+  std::uint64_t lost_ = 0;
+  std::vector<Corner> corners_;
+  NumberTable corner_numbers_; ///< by place
+  std::vector<Cell> cells_;    ///< in work
 };
 
 } // namespace abbe::render

@@ -13,7 +13,7 @@
 namespace abbe::render {
 
 /// POV-Ray's two methods of anti-aliasing. Method 1 re-samples pixels that differ from a neighbour
-/// on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to `depth`
+/// on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to `depth` - 1
 /// times.
 struct AntiAliasing {
   int method = 0; ///< 0 off, 1, 2

@@ -45,12 +45,6 @@ void RayCounts::subtract(RayCounts const& other) {
   splits -= other.splits;
 }
 
-void CutLight::add(CutLight const& other) {
-  paths += other.paths;
-  sum += other.sum;
-  worst_sample = std::max(worst_sample, other.worst_sample);
-}
-
 namespace {
 
 /// How many samples can go together, or 1.
@@ -108,7 +102,7 @@ Vec3 Tracer::sample(geometry::Ray const& ray, SampleKey key, std::span<double> b
   if (stage_.camera.kind != scene::Camera::Kind::Perspective && stage_.media.size() > 1)
     path.inside = inside_at(ray.origin);
   trace(path, beam);
-  count_cut(cut_here_[0]);
+  count_cut(lost_of(0));
   return light_of(0, bands);
 }
 
@@ -116,15 +110,12 @@ void Tracer::samples(geometry::FanLines const& rays, std::span<SampleKey const> 
   Arena::Scope const scope(arena_);
   Beam const beam = start_samples(keys);
   trace_fan({&rays, nullptr, camera_inside_, 0, camera_bit, stage_.channels}, beam);
-  for (std::size_t k = 0; k < keys.size(); ++k) count_cut(cut_here_[k]);
+  for (std::size_t k = 0; k < keys.size(); ++k) count_cut(lost_of(k));
 }
 
-void Tracer::count_cut(Vec3 const& lost_colour) {
-  double const lost = std::max({lost_colour.x, lost_colour.y, lost_colour.z});
+void Tracer::count_cut(double lost) {
   cut_.worst_sample = std::max(cut_.worst_sample, lost);
-  // A sample that loses more than this has lost everything many times over.
-  constexpr double most = 0x1p16;
-  cut_.sum += static_cast<std::uint64_t>(std::ceil(std::min(lost, most) / CutLight::unit));
+  cut_.sum += CutLight::units_of(lost);
 }
 
 void Tracer::cut(Beam const& beam, int lanes) {

@@ -5,6 +5,7 @@
 #include "render/arena.hpp"
 #include "render/beam.hpp"
 #include "render/camera.hpp"
+#include "render/cut_light.hpp"
 #include "render/interface.hpp"
 #include "render/path_ray.hpp"
 #include "render/path_record.hpp"
@@ -13,6 +14,7 @@
 #include "render/stage.hpp"
 #include "render/wave_tables.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -32,17 +34,6 @@ struct RayCounts {
   std::uint64_t total() const { return camera + reflected + refracted + monochromatic + shadow; }
 };
 
-/// Light that was dropped where paths end (Stage::adc_bailout, max_trace_level), as throughput of
-/// red, green or blue, whichever lost most (bands at their weights, without sign): its product with
-/// Stage::brightest bounds what is missing. Sums are integers: the same for any order.
-struct CutLight {
-  static constexpr double unit = 0x1p-32;
-  std::uint64_t paths = 0;
-  std::uint64_t sum = 0;   ///< of all samples, in units, rounded up once a sample
-  double worst_sample = 0; ///< throughput
-  void add(CutLight const& other);
-};
-
 /// Traces the paths of camera samples; one per thread. Throughput is carried from the camera on, so
 /// that a path that can add nothing more is dropped, and light is added to the sample's film where
 /// it is met.
@@ -60,6 +51,11 @@ public:
   void samples(geometry::FanLines const& rays, std::span<SampleKey const> keys);
   Vec3 light_of(std::size_t sample, std::span<double> bands) {
     return film_.resolve(sample, waves_, bands);
+  }
+  /// What was cut of its light.
+  double lost_of(std::size_t sample) const {
+    Vec3 const& lost = cut_here_[sample];
+    return std::max({lost.x, lost.y, lost.z});
   }
   /// Is the light of one of the last samples finite, and not negative where that is wrong?
   std::optional<BadSample::Kind> wrong(std::size_t sample, Vec3 const& rgb,
@@ -99,7 +95,7 @@ private:
   /// The throughput of a beam is lost, or may be. @return false: nothing that can be seen
   bool cut_light_of(Beam const& beam, int lanes);
   /// Ends a sample: the light that it lost.
-  void count_cut(Vec3 const& lost);
+  void count_cut(double lost);
   void add_background(Vec3 const& direction, Beam const& beam);
   void absorb(Beam& beam, Medium const& medium, double distance);
   /// The same for the rays of a fan, each over its own distance.
