@@ -2,25 +2,35 @@
 #include "geometry/placed.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <utility>
 
 namespace abbe::geometry {
 
 namespace {
 
-bool same_bits(Mat3 const& a, Mat3 const& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+std::uint64_t bits(double x) {
+  return std::bit_cast<std::uint64_t>(x);
 }
 
 } // namespace
 
 bool Placed::uniform(Transform const& at) {
-  Transform const scaling = Transform::scaling(Vec3(at.linear[0][0]));
-  return same_bits(at.linear, scaling.linear)
-         && same_bits(at.inverse_linear, scaling.inverse_linear)
-         && same_bits(at.linear_error, scaling.linear_error)
-         && same_bits(at.inverse_linear_error, scaling.inverse_linear_error);
+  double const by = at.linear[0][0], inverse = 1.0 / by;
+  std::uint64_t const scale = bits(by), back = bits(inverse),
+                      error = bits(Transform::error_of_inverse(by, inverse));
+  std::uint64_t other = 0; // bits that should not be there
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      std::uint64_t const here = i == j ? ~std::uint64_t{0} : 0;
+      other |= (bits(at.linear[i][j]) ^ (scale & here)) | bits(at.linear_error[i][j])
+               | (bits(at.inverse_linear[i][j]) ^ (back & here))
+               | (bits(at.inverse_linear_error[i][j]) ^ (error & here));
+    }
+  }
+  return other == 0;
 }
 
 Placed::Whole Placed::whole_of(Transform const& at) {
@@ -44,11 +54,8 @@ Placed::Whole Placed::whole_of(Transform const& at) {
   return out;
 }
 
-Placed::Placed(PlacedShape const& placed)
-    : shape_(placed.shape),
-      offset_(placed.placement.offset),
-      offset_error_(placed.placement.offset_error) {
-  Transform const& at = placed.placement;
+Placed::Placed(ShapePtr shape, Transform const& at)
+    : shape_(std::move(shape)), offset_(at.offset), offset_error_(at.offset_error) {
   if (uniform(at)) {
     scale_ = at.linear[0][0];
     inverse_scale_ = at.inverse_linear[0][0];
@@ -66,10 +73,18 @@ Placed::Placed(PlacedShape const& placed)
 
 Bounds Placed::bounds() const {
   if (whole_) return whole_->bounds;
-  Transform at = Transform::scaling(Vec3(scale_));
-  at.offset = offset_;
-  at.offset_error = offset_error_;
-  return bounds_of(*shape_, at, inverse_size());
+  // What bounds_of() says, with a third of the work.
+  Bounds const own = shape_->bounds();
+  if (own.infinite || own.empty()) return own;
+  double const size = std::fabs(scale_);
+  double const inverse_error = Transform::error_of_inverse(scale_, inverse_scale_);
+  Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
+  Vec3 const centre = scale_ * middle + offset_;
+  Vec3 const reach = size * half;
+  Vec3 const far = size * glm::abs(middle) + reach;
+  Vec3 const off = offset_error_ + size * (inverse_error * far + size_ * offset_error_);
+  Vec3 const wide = reach + gamma_bound(64) * (far + glm::abs(offset_)) + off;
+  return {centre - wide, centre + wide, false};
 }
 
 Ray Placed::to_object(Ray const& world) const {

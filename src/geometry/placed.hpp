@@ -4,6 +4,7 @@
 #include "geometry/line.hpp"
 #include "geometry/reach.hpp"
 
+#include <cmath>
 #include <memory>
 
 namespace abbe::geometry {
@@ -18,7 +19,8 @@ namespace abbe::geometry {
 /// error relative to its neighbours. What the placement's own bounds say comes on top.
 class Placed {
 public:
-  explicit Placed(PlacedShape const& placed);
+  Placed(ShapePtr shape, Transform const& placement);
+  explicit Placed(PlacedShape const& placed) : Placed(placed.shape, placed.placement) {}
 
   Shape const& shape() const { return *shape_; }
   Vec3 const& offset() const { return offset_; }
@@ -35,6 +37,8 @@ public:
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
   /// inverse_linear is off by at most `rounding` times this, entry by entry, as described.
   Mat3 inverse_size() const { return whole_ ? whole_->size : Mat3(size_); }
+  /// The same along all axes, without sign; 0: not known to be.
+  double uniform_scale() const { return whole_ ? 0 : std::fabs(scale_); }
   /// placement.offset is off by at most `rounding` times this.
   Vec3 offset_size() const { return offset_rounding() / rounding; }
   static constexpr double rounding = gamma_bound(16);
@@ -55,6 +59,7 @@ private:
     Bounds bounds;
     Reach reach;
   };
+  /// The same scaling along all axes, without an error but of its inverse, bit by bit?
   static bool uniform(Transform const& at);
   static Whole whole_of(Transform const& at);
   static Bounds bounds_of(Shape const& shape, Transform const& at, Mat3 const& size);

@@ -23,4 +23,12 @@ Placement::Placement(Transform const& transform)
   offset_ = Vec3(0);
 }
 
+Transform Placement::then(Transform const& next) const {
+  if (whole_ || !next.translates()) return transform().then(next);
+  // What is asked of the inverse is the moved one's.
+  Transform scaled = Transform::scaling(scale_);
+  scaled.offset = offset_;
+  return scaled.then(next);
+}
+
 } // namespace abbe::geometry

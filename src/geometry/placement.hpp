@@ -14,12 +14,19 @@ class Placement {
 public:
   Placement() = default;
   Placement(Transform const& transform);
+  /// Transform::scaled_and_moved.
+  static Placement scaled_and_moved(Vec3 const& scale, Vec3 const& offset) {
+    Placement result;
+    result.scale_ = scale;
+    result.offset_ = 0.0 + offset; // no negative zero, as there
+    return result;
+  }
 
   Transform transform() const {
     return whole_ ? *whole_ : Transform::scaled_and_moved(scale_, offset_);
   }
   operator Transform() const { return transform(); }
-  Transform then(Transform const& next) const { return transform().then(next); }
+  Transform then(Transform const& next) const;
   Transform inverse() const { return transform().inverse(); }
   Vec3 point(Vec3 const& p) const { return transform().point(p); }
   Vec3 vector(Vec3 const& v) const { return transform().vector(v); }

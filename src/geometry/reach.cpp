@@ -48,23 +48,27 @@ double lengthening(Mat3 const& m) {
 } // namespace
 
 Reach::Reach(Placed const& placed, Transform const& placement) {
-  if (is_plane(placed.shape())) {
-    set_plane(placed);
-  } else if (placed.shape().ball_radius() < std::numeric_limits<double>::infinity()) {
+  if (placed.shape().ball_radius() < std::numeric_limits<double>::infinity())
     set_ball(placed, placement);
-  }
+  else if (is_plane(placed.shape()))
+    set_plane(placed);
 }
 
 void Reach::set_ball(Placed const& placed, Transform const& at) {
   Bounds const own = placed.shape().bounds();
   Vec3 const middle = own.low * 0.5 + own.high * 0.5, half = own.high * 0.5 - own.low * 0.5;
   Vec3 const centre = at.point(middle);
-  double const radius = std::min(half_diagonal(at.linear, half),
-                                 lengthening(at.linear) * placed.shape().ball_radius());
-  // An error of one rounding of object space, taken back to the world, in terms of the distance.
-  Mat3 const back = sizes(at.linear) * placed.inverse_size();
+  double radius = placed.shape().ball_radius();
+  // How much an error of one rounding of object space is in the world, in terms of the distance.
   double turning = 0;
-  for (int i = 0; i < 3; ++i) turning = std::max(turning, sum_of_sizes(back[i]));
+  if (double const scale = placed.uniform_scale(); scale > 0) {
+    radius *= scale;
+    turning = sum_of_sizes(scale * placed.inverse_size()[0]);
+  } else {
+    radius = std::min(half_diagonal(at.linear, half), lengthening(at.linear) * radius);
+    Mat3 const back = sizes(at.linear) * placed.inverse_size();
+    for (int i = 0; i < 3; ++i) turning = std::max(turning, sum_of_sizes(back[i]));
+  }
   if (!(turning <= max_turning_)) return;
   double const off = Placed::rounding * turning * sum_of_sizes(placed.offset_size())
                      + gamma_bound(64) * sum_of_sizes(sizes(at.linear) * glm::abs(middle));

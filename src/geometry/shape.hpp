@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/placement.hpp"
 #include "geometry/shape_ptr.hpp"
-#include "geometry/transform.hpp"
 
 #include <array>
 #include <cstdint>
@@ -120,7 +120,7 @@ public:
 /// makes them this sphere or box is the placement.
 struct PlacedShape {
   ShapePtr shape;
-  Transform placement;
+  Placement placement;
 };
 
 } // namespace abbe::geometry

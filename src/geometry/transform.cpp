@@ -143,10 +143,13 @@ Transform Transform::scaling(Vec3 const& by) {
     result.linear[i][i] = by[i];
     double const inverse = 1.0 / by[i];
     result.inverse_linear[i][i] = inverse;
-    result.inverse_linear_error[i][i] =
-        upward * std::fabs(std::fma(-by[i], inverse, 1.0) * inverse);
+    result.inverse_linear_error[i][i] = error_of_inverse(by[i], inverse);
   }
   return result;
+}
+
+double Transform::error_of_inverse(double by, double inverse) {
+  return upward * std::fabs(std::fma(-by, inverse, 1.0) * inverse);
 }
 
 Transform Transform::scaled_and_moved(Vec3 const& scale, Vec3 const& offset) {
@@ -154,16 +157,8 @@ Transform Transform::scaled_and_moved(Vec3 const& scale, Vec3 const& offset) {
   Transform result = scaling(scale);
   for (int i = 0; i < 3; ++i) {
     result.offset[i] = 0.0 + offset[i]; // as a sum: no negative zero
-    // What set_inverse_offset() makes of a diagonal.
-    Sum sum, off;
-    sum.add_product(result.inverse_linear[i][i], result.offset[i]);
-    off.add_product(result.inverse_linear_error[i][i], std::fabs(result.offset[i]));
-    sum.add(0.0);
-    off.add(0.0);
-    off.add(sum.error);
-    result.inverse_offset[i] = -sum.value;
-    result.inverse_offset_error[i] = off.error == 0 ? off.value : upward * off.value;
   }
+  result.set_inverse_offset();
   return result;
 }
 
@@ -211,7 +206,31 @@ std::optional<Transform> Transform::matrix(double const (&rows)[12]) {
   return result;
 }
 
+bool Transform::inverse_is_diagonal() const {
+  bool diagonal = true;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      diagonal =
+          diagonal && (i == j || (inverse_linear[i][j] == 0 && inverse_linear_error[i][j] == 0));
+  return diagonal;
+}
+
 void Transform::set_inverse_offset() {
+  if (inverse_is_diagonal()) { // image() without the terms that are zero
+    for (int i = 0; i < 3; ++i) {
+      double const m = inverse_linear[i][i], v = offset[i];
+      Sum sum, off;
+      sum.add_product(m, v);
+      off.add_product(std::fabs(m), offset_error[i]);
+      off.add_product(inverse_linear_error[i][i], std::fabs(v) + offset_error[i]);
+      sum.add(0.0);
+      off.add(0.0);
+      off.add(sum.error);
+      inverse_offset[i] = -sum.value;
+      inverse_offset_error[i] = off.error == 0 ? off.value : upward * off.value;
+    }
+    return;
+  }
   Image const back = image(inverse_linear, inverse_linear_error, offset, offset_error);
   inverse_offset = -back.value;
   inverse_offset_error = back.error;

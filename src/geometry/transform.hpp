@@ -28,6 +28,8 @@ struct Transform {
   /// By a place that was computed with at most `roundings` relative rounding errors a component.
   static Transform rounded_translation(Vec3 const& by, int roundings);
   static Transform scaling(Vec3 const& by);
+  /// What 1 / by is off by, where `inverse` stands for it.
+  static double error_of_inverse(double by, double inverse);
   /// scaling(scale).then(translation(offset)), bit by bit; of 1 and 0, none.
   static Transform scaled_and_moved(Vec3 const& scale, Vec3 const& offset);
   /// POV-Ray's rotate: about x, then y, then z, degrees, left-handed.
@@ -45,13 +47,14 @@ struct Transform {
   bool identity() const;
   /// identity(), exactly: then() such a one changes nothing.
   bool none() const;
-
-private:
   /// A translation, exactly.
   bool translates() const;
+
+private:
   /// then() such a one: what most placements are made of.
   Transform moved(Vec3 const& by, Vec3 const& by_error) const;
   void set_inverse_offset();
+  bool inverse_is_diagonal() const;
 };
 
 } // namespace abbe::geometry

@@ -16,8 +16,8 @@ void WorldBuilder::reserve(std::size_t primitives, std::size_t solids) {
   impl_->state_of.reserve(solids);
 }
 
-PrimitiveId WorldBuilder::add(PlacedShape const& placed) {
-  impl_->primitives.emplace_back(placed);
+PrimitiveId WorldBuilder::add(ShapePtr shape, Transform const& placement) {
+  impl_->primitives.emplace_back(std::move(shape), placement);
   return static_cast<PrimitiveId>(impl_->primitives.size() - 1);
 }
 
@@ -60,7 +60,7 @@ World::World(std::vector<PlacedShape> const& primitives, std::vector<Solid> cons
              double contact) {
   WorldBuilder builder;
   builder.reserve(primitives.size(), solids.size());
-  for (PlacedShape const& placed : primitives) builder.add(placed);
+  for (PlacedShape const& placed : primitives) builder.add(placed.shape, placed.placement);
   for (Solid const& solid : solids) builder.add(solid);
   *this = std::move(builder).finish(contact);
 }

@@ -15,7 +15,7 @@ public:
   /// How many are to come, so that nothing is moved.
   void reserve(std::size_t primitives, std::size_t solids);
   /// In coordinates relative to the camera. Numbers count from 0.
-  PrimitiveId add(PlacedShape const& placed);
+  PrimitiveId add(ShapePtr shape, Transform const& placement);
   /// Of primitives that were added.
   SolidId add(World::Solid const& solid);
   Shape const& shape(PrimitiveId) const;

@@ -25,7 +25,7 @@ Bounds bounds_of(Object const& object);
 Bounds whole_bounds_of(Object const& object) {
   if (object.inverse) return all_space();
   if (object.kind == Object::Kind::Shape)
-    return geometry::Placed({object.shape, object.placement}).bounds();
+    return geometry::Placed(object.shape, object.placement).bounds();
   Bounds out;
   bool first = true;
   for (Object const& child : object.children) {

@@ -209,7 +209,7 @@ private:
 
   Piece primitive(Object const& object) {
     Piece piece;
-    piece.tree.primitive = world_.add({object.shape, object.placement.then(to_stage_)});
+    piece.tree.primitive = world_.add(object.shape, object.placement.then(to_stage_));
     SurfaceLayers surface;
     surface.double_illuminate = object.double_illuminate.value_or(false);
     if (object.texture) surface.layers = layers(object.texture);

@@ -181,13 +181,12 @@ Counts run(bool quadrics, bool placed, std::uint64_t seed) {
       Transform const turn = Transform::rotation({angle(), angle(), angle()});
       place = size_of.then(turn).then(Transform::translation(there));
       for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        Transform& shape = scene.shapes[i].placement;
-        shape = shape.then(size_of);
+        Transform shape = scene.shapes[i].placement.then(size_of);
         // Half of them by way of another place.
         if (i % 2 == 1) {
           shape = shape.then(Transform::translation(there)).then(Transform::translation(-there));
         }
-        shape = shape.then(turn).then(Transform::translation(there));
+        scene.shapes[i].placement = shape.then(turn).then(Transform::translation(there));
       }
     }
     World const world(scene.shapes, {{scene.tree, 0xff}});

@@ -18,7 +18,7 @@ Bounds Sphere::bounds() const {
 std::optional<PlacedShape> make_sphere(Vec3 const& centre, double radius) {
   if (!finite(centre) || !usable_size(radius)) return std::nullopt;
   static ShapePtr const unit = std::make_shared<Sphere>();
-  return PlacedShape{unit, Transform::scaled_and_moved(Vec3(std::fabs(radius)), centre)};
+  return PlacedShape{unit, Placement::scaled_and_moved(Vec3(std::fabs(radius)), centre)};
 }
 
 std::optional<PlacedShape> read_sphere(Parameters& parameters) {

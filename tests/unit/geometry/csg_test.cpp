@@ -336,9 +336,9 @@ TEST(Mesh, IsWatertightAtVerticesAndEdges) {
     // A line along y through the corner: no digits are lost, it is hit exactly.
     Crossings out;
     Ray straight = ray_from({target.x, -5, target.z}, {0, 1, 0});
-    straight.origin = (straight.origin - placed.placement.offset);
-    straight.origin = placed.placement.inverse_linear * straight.origin;
-    straight.direction = placed.placement.inverse_linear * straight.direction;
+    Transform const there = placed.placement;
+    straight.origin = there.inverse_linear * (straight.origin - there.offset);
+    straight.direction = there.inverse_linear * straight.direction;
     placed.shape->crossings(straight, nullptr, out);
     wrong += out.size() % 2 != 0;
   }

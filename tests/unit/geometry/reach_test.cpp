@@ -44,7 +44,7 @@ Transform any_place(Dice& dice, double size, double far) {
 /// A line that passes the middle of the placed shape at some one to two of its extents, in steps
 /// down to a rounding: where a decision is close.
 Ray close_line(Dice& dice, PlacedShape const& placed, double size, double away) {
-  Vec3 const middle = placed.placement.offset;
+  Vec3 const middle = placed.placement.transform().offset;
   Vec3 const direction = dice.direction();
   Vec3 const side = glm::normalize(glm::cross(direction, dice.direction()));
   double const apart =
