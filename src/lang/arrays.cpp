@@ -35,17 +35,29 @@ bool ArrayValue::admit(Value const& value) {
 std::string_view type_name(Value const& value) {
   constexpr std::string_view sizes[] = {"nothing",  "a float",    "a 2-vector",
                                         "a vector", "a 4-vector", "a colour"};
-  constexpr std::string_view kinds[] = {"nothing",     "",
-                                        "a string",    "a spectral colour",
-                                        "an array",    "a macro",
-                                        "a function",  "a spline",
-                                        "a file",      "an object",
-                                        "a pigment",   "a finish",
-                                        "a texture",   "an interior",
-                                        "a material",  "a map",
-                                        "a transform", "a camera",
-                                        "a light",     "a sky sphere",
-                                        "a glass",     "a spectrum"};
+  constexpr std::string_view kinds[] = {"nothing",
+                                        "",
+                                        "a string",
+                                        "a spectral colour",
+                                        "an array",
+                                        "a macro",
+                                        "a function",
+                                        "a spline",
+                                        "a file",
+                                        "an object",
+                                        "a pigment",
+                                        "a finish",
+                                        "a texture",
+                                        "an interior",
+                                        "a material",
+                                        "a map",
+                                        "a transform",
+                                        "a camera",
+                                        "a light",
+                                        "a sky sphere",
+                                        "a glass",
+                                        "a spectrum",
+                                        "a thing that is not supported yet"};
   static_assert(std::size(kinds) == std::variant_size_v<Value::Any>);
   if (auto const* number = std::get_if<Numeric>(&value.any)) return sizes[number->size];
   return kinds[value.any.index()];
@@ -131,8 +143,10 @@ bool Expressions::fill(ArrayValue& array, ast::Items const& items, std::size_t d
       break;
     }
     if (last) {
+      Deferral deferral(in_);
       Value value = reader.read_value();
       value.declared_at = place;
+      value.deferred = deferral.take();
       if (value.empty()) value.any = poison();
       if (!array.admit(value)) {
         in_.error("E0312",

@@ -77,7 +77,7 @@ Value ReaderImpl::read_value() {
     return value;
   case Next::Identifier:
     value = copy_of(*peek_.value);
-    consume();
+    take();
     break;
   case Next::Block: {
     ast::Block const& block = *peek_.block;
@@ -176,7 +176,10 @@ Scope::Cell ReaderImpl::argument(ast::Items const& items, Span span) {
       return cell;
     }
   }
-  return std::make_shared<Value>(value_of(items, span));
+  Deferral deferral(in_);
+  auto const cell = std::make_shared<Value>(value_of(items, span));
+  cell->deferred = deferral.take();
+  return cell;
 }
 
 void ReaderImpl::push_macro(ast::Call const& call, MacroValue const& value) {

@@ -42,13 +42,13 @@ Value sky_value(Reader& in, std::string_view) {
 }
 Value pigment_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
-  scene::Pigment pigment = state_of(in).default_texture.pigment;
+  scene::Pigment pigment = default_texture(in, span).pigment;
   read_pigment(in, pigment);
   return shared(std::move(pigment), span);
 }
 Value finish_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
-  scene::Finish finish = *std::as_const(state_of(in).default_texture.finish);
+  scene::Finish finish = *default_texture(in, span).finish;
   read_finish(in, finish);
   return shared(std::move(finish), span);
 }
@@ -108,7 +108,7 @@ Value unsupported_value(Reader& in, std::string_view head) {
   Span const span = in.block_span();
   report_unsupported(in, head, span);
   while (!in.at_end()) in.skip();
-  if (!is_unsupported_shape(head)) return Value{Numeric{0, false, {}}, span};
+  if (!is_unsupported_shape(head)) return Value{Unsupported{}, span};
   scene::Object nothing;
   nothing.kind = scene::Object::Kind::Union;
   nothing.span = span;
@@ -126,9 +126,9 @@ void place_object_value(Value&& value, Reader& in) {
   auto const& held = std::get<std::shared_ptr<scene::Object const>>(value.any);
   // One that nothing else holds is moved into the scene; shared() made it, not const.
   if (held.use_count() == 1)
-    place_object(std::move(*std::const_pointer_cast<scene::Object>(held)), state_of(in));
+    place_object(std::move(*std::const_pointer_cast<scene::Object>(held)), in);
   else
-    place_object(*held, state_of(in));
+    place_object(*held, in);
 }
 void place_light(Value&& value, Reader& in) {
   state_of(in).scene.lights.push_back(held<scene::Light>(value));
@@ -208,7 +208,7 @@ void read_block_statement(Reader& in) {
 
 bool place_named(Reader& in) {
   if (auto object = in.accept_value<scene::Object>())
-    place_object(*object, state_of(in));
+    place_object(*object, in);
   else if (auto light = in.accept_value<scene::Light>())
     state_of(in).scene.lights.push_back(*light);
   else

@@ -24,8 +24,9 @@ namespace abbe::lang {
 /// A `#default` texture's parts and the scene that grows: what all block readers share.
 struct SceneState {
   scene::Scene scene;
-  scene::Texture default_texture;
+  scene::Texture default_texture; ///< to be read through default_texture()
   scene::Camera default_camera;
+  Few<Diagnostic> deferred_of_texture, deferred_of_camera; ///< what of these is not supported yet
   double effective_version = 3.62;
   int default_noise_generator = 2;
   bool gamma_given = false; ///< a second assumed_gamma is ignored
@@ -68,8 +69,12 @@ BlockKind const* find_block_kind(std::string_view head);
 /// object, `glass_catalog "file"`, `max_trace_level n`; reports anything else. Directives never get
 /// here.
 void read_statement(Reader&);
+// default.cpp
 /// The content of `#default { ... }`.
 void read_default(Reader&);
+/// What `#default` says, for a use at `at`.
+scene::Texture const& default_texture(Reader&, Span at);
+scene::Camera const& default_camera(Reader&, Span at);
 /// Once, after the last statement: moves what was found into Scene::settings and checks what can
 /// only be checked now (every glass against the range of bands, E0412).
 void finish_scene(Reader&);
@@ -86,7 +91,7 @@ bool read_object_modifier(Reader&, scene::Object&);
 /// Applies a transform to an object with all that is attached to it so far.
 void transform_object(scene::Object&, geometry::Transform const&);
 /// Inserts a copy of the object into the scene: see scene::Object for what that settles.
-void place_object(scene::Object, SceneState&);
+void place_object(scene::Object, Reader&);
 // transform.cpp
 /// Takes translate, rotate, scale, matrix, transform when one is next and appends it.
 bool read_transform(Reader&, geometry::Transform&);

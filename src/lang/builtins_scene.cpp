@@ -65,7 +65,15 @@ ObjectQuery const* object_argument(CallContext& context, ast::Call const& node) 
     context.fail("expected an object");
     return nullptr;
   }
-  Value const value = context.in.reader.value_of(node.arguments[0], context.span);
+  Value value;
+  Few<Diagnostic> deferred;
+  {
+    Deferral deferral(context.in);
+    value = context.in.reader.value_of(node.arguments[0], context.span);
+    deferred = deferral.take();
+  }
+  // The answer is a number, which keeps nothing: told here.
+  for (Diagnostic const& told : deferred) context.in.add(told);
   auto const* object = std::get_if<Object>(&value.any);
   if (!object || !*object) {
     if (value.empty())
@@ -79,7 +87,10 @@ ObjectQuery const* object_argument(CallContext& context, ast::Call const& node) 
     if (auto made = ObjectQuery::of(**object)) query.emplace(std::move(*made));
     known = *object;
   }
-  if (!query) context.fail("this object has no shape");
+  if (!query && !deferred.empty())
+    context.failed = true;
+  else if (!query)
+    context.fail("this object has no shape");
   return query ? &*query : nullptr;
 }
 

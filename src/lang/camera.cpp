@@ -148,7 +148,7 @@ void check(Reader& in, Draft& draft) {
 
 scene::Camera read_camera(Reader& in) {
   Draft draft;
-  draft.camera = scene_state(in.interpreter()).default_camera;
+  draft.camera = default_camera(in, in.block_span());
   draft.camera.span = in.block_span();
   if (auto named = in.accept_value<Camera>()) {
     draft.camera = *named;

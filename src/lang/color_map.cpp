@@ -52,7 +52,7 @@ void read_color_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
 
 void read_pigment_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
   double const value = in.number("map value");
-  auto pigment = std::make_shared<Pigment>(scene_state(in.interpreter()).default_texture.pigment);
+  auto pigment = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
   read_pigment(in, *pigment);
   entries.push_back({value, std::move(pigment)});
 }

@@ -123,18 +123,14 @@ Inherited inherit(Object& object, Inherited const& from) {
   return to;
 }
 
-void settle_leaf(Object& object, Inherited const& with, scene::Texture const& default_texture) {
+void settle_leaf(Object& object, Inherited const& with, Reader& in) {
   if (!object.texture) object.texture = with.texture;
   if (!object.interior_texture) object.interior_texture = with.interior_texture;
   if (object.texture) return;
   bool const glass = object.interior && object.interior->glass;
-  object.texture = scene::Layers(1, glass ? clear_texture(object.span) : default_texture);
+  object.texture =
+      scene::Layers(1, glass ? clear_texture(object.span) : default_texture(in, object.span));
 }
-
-struct Insertion {
-  scene::Scene& scene;
-  scene::Texture const& default_texture;
-};
 
 /// Clipping objects are geometry only.
 void flatten_clip(Object& clip) {
@@ -154,30 +150,31 @@ void flatten_clip(Object& clip) {
 }
 
 /// `object` is in world space already, except for its children.
-void settle(Object& object, Inherited const& from, Insertion const& into) {
+void settle(Object& object, Inherited const& from, Reader& in) {
   Inherited const to = inherit(object, from);
   object.bounded_by.clear();
   for (Object& clip : object.clipped_by) flatten_clip(clip);
-  for (scene::Light& light : object.lights) into.scene.lights.push_back(std::move(light));
+  for (scene::Light& light : object.lights)
+    scene_state(in.interpreter()).scene.lights.push_back(std::move(light));
   object.lights.clear();
   if (object.kind == Object::Kind::Shape) {
-    settle_leaf(object, to, into.default_texture);
+    settle_leaf(object, to, in);
     return;
   }
   geometry::Transform const placement = object.placement;
   for (Object& child : object.children) {
     transform_object(child, placement);
-    settle(child, to, into);
+    settle(child, to, in);
   }
   object.placement = {};
 }
 
 } // namespace
 
-void place_object(scene::Object object, SceneState& state) {
-  settle(object, {}, {state.scene, state.default_texture});
+void place_object(scene::Object object, Reader& in) {
+  settle(object, {}, in);
   if (object.kind == Object::Kind::Shape || !object.children.empty())
-    state.scene.objects.push_back(std::move(object));
+    scene_state(in.interpreter()).scene.objects.push_back(std::move(object));
 }
 
 } // namespace abbe::lang

@@ -178,7 +178,9 @@ void ReaderImpl::break_out(Span span) {
 }
 
 void ReaderImpl::execute(ast::Declare const& node) {
+  Deferral deferral(in_);
   Value value = value_of(node.value, node.span);
+  value.deferred = deferral.take();
   bool const needs_semicolon = std::holds_alternative<Numeric>(value.any);
   if (needs_semicolon && !node.has_semicolon && !std::get<Numeric>(value.any).poisoned())
     in_.error("E0105", "a ';' is missing after this declaration of a number",

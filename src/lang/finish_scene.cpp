@@ -56,7 +56,7 @@ void finish_scene(Reader& in) {
   SceneState& state = scene_state(in.interpreter());
   scene::Scene& scene = state.scene;
   scene.settings.version = state.effective_version;
-  if (state.cameras == 0) scene.camera = state.default_camera;
+  if (state.cameras == 0) scene.camera = default_camera(in, {});
   auto const bands = make_bands(scene.settings.spectral);
   if (!bands) return; // was reported where it is written
   using Kind = scene::DispersionMode::Kind;

@@ -40,14 +40,6 @@ ast::Document const& Interpreter::document(SourceFile const& source) {
   return *known;
 }
 
-void Interpreter::report(Severity severity, std::string_view code, std::string message, Span span,
-                         std::vector<Diagnostic::Note> notes) {
-  auto chain = reader.chain();
-  notes.insert(notes.end(), std::make_move_iterator(chain.begin()),
-               std::make_move_iterator(chain.end()));
-  add({std::string(code), severity, span, std::move(message), std::move(notes)});
-}
-
 void Interpreter::add(Diagnostic diagnostic) {
   Span const span = diagnostic.span;
   std::string const key = fmt::format("{} {} {} {}", static_cast<void const*>(span.source),

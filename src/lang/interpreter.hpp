@@ -4,6 +4,7 @@
 #include "base/diagnostic.hpp"
 #include "grammar/parse.hpp"
 #include "lang/blocks.hpp"
+#include "lang/deferral.hpp"
 #include "lang/evaluate.hpp"
 #include "lang/expression.hpp"
 #include "lang/files.hpp"
@@ -39,6 +40,7 @@ public:
   Expressions expressions;
   Files files;
   StatementStreams streams;
+  Deferral* deferral = nullptr;              ///< of the innermost value that is being declared
   std::vector<std::uint32_t> random_streams; ///< state of each stream of seed()
   double version = 3.7;                      ///< what `version` yields
 
@@ -55,7 +57,8 @@ public:
   }
 
   /// Adds a message with the chain of macro calls and includes that led to it. The same message at
-  /// the same place is given once. Too many errors abort the run.
+  /// the same place is given once. Too many errors abort the run. Of a value that is being
+  /// declared, what is not supported yet is kept: see Deferral.
   void report(Severity, std::string_view code, std::string message, Span,
               std::vector<Diagnostic::Note> notes = {});
   void error(std::string_view code, std::string message, Span span) {
@@ -64,6 +67,8 @@ public:
   void warning(std::string message, Span span) {
     report(Severity::Warning, "", std::move(message), span);
   }
+  /// Tells what was deferred of something that is used at `at`.
+  void use(Few<Diagnostic> const& deferred, Span at);
   /// Adds a message as it is. @throws Aborted when there are too many errors
   void add(Diagnostic);
   /// The text of `#debug`.
@@ -87,6 +92,7 @@ public:
 
 private:
   void run_statements(SourceFile const& source);
+  void keep_or_add(Diagnostic);
 
   EvaluateOptions const& options_;
   SourceSet& sources_;

@@ -23,7 +23,7 @@ bool read_loose_part(Reader& in, scene::SharedLayers& texture) {
   std::string_view const word = in.next_word();
   if (in.next() != Next::Block || (word != "pigment" && word != "finish")) return false;
   if (!texture) {
-    texture = scene::Layers(1, scene_state(in.interpreter()).default_texture);
+    texture = scene::Layers(1, default_texture(in, in.next_span()));
     texture->front().span = in.next_span();
   }
   return read_texture_part(in, texture->back());

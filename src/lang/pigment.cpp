@@ -75,7 +75,7 @@ void read_list(Reader& in, Draft& draft) {
   while (items.size() < size && !in.at_end()) {
     auto const number = static_cast<double>(items.size());
     if (in.open("pigment")) {
-      auto item = std::make_shared<Pigment>(scene_state(in.interpreter()).default_texture.pigment);
+      auto item = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
       read_pigment(in, *item);
       in.close();
       items.push_back({number, std::move(item)});

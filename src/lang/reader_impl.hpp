@@ -55,7 +55,7 @@ public:
   std::string path(std::string_view name) override;
   bool boolean_or(bool absent) override;
   Value const* identifier() override;
-  void take() override { consume(); }
+  void take() override;
   void unexpected(std::string_view what) override;
   void skip() override;
   std::vector<scene::Layers> take_face_textures() override;

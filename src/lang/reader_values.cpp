@@ -271,4 +271,9 @@ Value const* ReaderImpl::identifier() {
   return next() == Next::Identifier ? peek_.value : nullptr;
 }
 
+void ReaderImpl::take() {
+  if (Value const* const value = identifier()) in_.use(value->deferred, peek_.span);
+  consume();
+}
+
 } // namespace abbe::lang

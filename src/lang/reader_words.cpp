@@ -171,6 +171,9 @@ void ReaderImpl::unexpected(std::string_view what) {
     auto const* const number = std::get_if<Numeric>(&peek_.value->any);
     if (number && number->poisoned()) return skip();
   }
+  // What is not supported yet is told as such, wherever it stands.
+  Value const* const value = identifier();
+  if (value && std::holds_alternative<Unsupported>(value->any)) return take();
   Span span = next_span();
   bool const name = peek_.next == Next::Word && peek_.undeclared;
   if (tainted() && !name && peek_.next != Next::Block) return skip();

@@ -10,7 +10,7 @@ scene::SkySphere read_sky_sphere(Reader& in) {
     if (auto named = in.accept_value<scene::SkySphere>()) {
       sky = *named;
     } else if (in.open("pigment")) {
-      scene::Pigment pigment = scene_state(in.interpreter()).default_texture.pigment;
+      scene::Pigment pigment = default_texture(in, in.block_span()).pigment;
       read_pigment(in, pigment);
       in.close();
       // A pigment written after a transform does not move with it.

@@ -77,8 +77,7 @@ scene::SharedLayers read_texture(Reader& in) {
   auto const placed = [](scene::Texture const& layer) { return layer.span.valid(); };
   auto const named = in.accept_value<scene::Layers>();
   if (named && in.at_end() && std::ranges::all_of(*named, placed)) return named;
-  scene::Layers layers =
-      named ? *named : scene::Layers(1, scene_state(in.interpreter()).default_texture);
+  scene::Layers layers = named ? *named : scene::Layers(1, default_texture(in, span));
   for (bool first = !named; !in.at_end(); first = false) {
     geometry::Transform transform;
     if (read_texture_part(in, layers.back()) || read_named(in, layers, first)) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/diagnostic.hpp"
+#include "base/few.hpp"
 #include "base/source.hpp"
 #include "grammar/ast.hpp"
 #include "optics/glass.hpp"
@@ -61,6 +63,9 @@ struct MaterialValue {
   std::shared_ptr<scene::Interior const> interior;
 };
 
+/// A block of a kind that is not supported yet; see Value::deferred.
+struct Unsupported {};
+
 /// Everything that can be declared. Block values are snapshots: using a name copies it.
 struct Value {
   using Any =
@@ -73,9 +78,10 @@ struct Value {
                    std::shared_ptr<MapValue const>, std::shared_ptr<geometry::Transform const>,
                    std::shared_ptr<scene::Camera const>, std::shared_ptr<scene::Light const>,
                    std::shared_ptr<scene::SkySphere const>, std::shared_ptr<optics::Glass const>,
-                   std::shared_ptr<optics::Spectrum const>>;
+                   std::shared_ptr<optics::Spectrum const>, Unsupported>;
   Any any;
   Span declared_at;
+  Few<Diagnostic> deferred = {}; ///< what of it is not supported yet: told when it is used
 
   bool empty() const { return any.index() == 0; }
 };
