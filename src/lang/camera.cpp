@@ -22,18 +22,20 @@ struct Draft {
   Camera camera;
   Vec3 sky{0, 1, 0};
   std::optional<Vec3> look_at;
-  std::optional<double> angle_deg;
-  bool frame_given = false; ///< right or up is written
-  bool failed = false;      ///< reported as degenerate
+  std::optional<double> angle_deg; ///< 0 leaves the direction as it is
+  bool frame_given = false;        ///< right or up is written
+  bool failed = false;             ///< reported as degenerate
   geometry::Transform transform;
 };
 
 double read_angle(Reader& in) {
   Span const at = in.next_span();
   double const angle = in.number("angle");
-  if (angle > 0 && angle < 180) return angle;
-  in.report(Severity::Error, "E0353",
-            fmt::format("the camera's angle must be between 0 and 180 degrees, not {}", angle), at);
+  if (angle >= 0 && angle < 180) return angle;
+  in.report(
+      Severity::Error, "E0353",
+      fmt::format("the camera's angle must be at least 0 and below 180 degrees, not {}", angle),
+      at);
   return 60;
 }
 
@@ -85,23 +87,27 @@ void fail(Reader& in, Draft& draft, std::string_view why) {
   in.report(Severity::Error, "E0352", why, draft.camera.span);
 }
 
+/// A view this near to 'sky' is along it. POV-Ray's bound, which decides what a picture shows.
+constexpr double along_sky = 1e-10;
+
+/// Turns the camera to `look_at` and keeps the lengths of its vectors. Left-handed is what is so
+/// clearly: vectors in one plane, as `up z` with the default direction, count as right-handed.
 void aim(Reader& in, Draft& draft) {
   Camera& camera = draft.camera;
   Vec3 const towards = *draft.look_at - camera.location;
   double const distance = glm::length(towards);
   if (!(distance > 0)) return fail(in, draft, "the camera looks at its own location");
-  bool const left_handed = glm::dot(camera.right, glm::cross(camera.up, camera.direction)) >= 0;
+  bool const left_handed = glm::dot(camera.right, glm::cross(camera.up, camera.direction)) > 0;
   Vec3 const ahead = towards / distance;
-  Vec3 const side = glm::cross(draft.sky, ahead);
-  double const width = glm::length(side);
-  // The rounding error of a cross product of unit vectors.
-  bool const along_sky = width <= gamma_bound(4) * glm::length(draft.sky);
-  if (along_sky) {
-    in.report(Severity::Warning, "E0352", "the camera looks along 'sky': 'right' stays as it is",
+  Vec3 side = glm::cross(draft.sky, ahead);
+  Vec3 const size = glm::abs(side);
+  if (std::max({size.x, size.y, size.z}) < along_sky) {
+    in.report(Severity::Warning, "E0352",
+              "the camera looks along 'sky', which leaves open where up is: 'right' tells",
               camera.span);
+    side = camera.right;
   }
-  Vec3 const right = along_sky ? camera.right * ((left_handed ? 1 : -1) / glm::length(camera.right))
-                               : side / width;
+  Vec3 const right = side / glm::length(side);
   camera.direction = ahead * glm::length(camera.direction);
   camera.up = glm::cross(ahead, right) * glm::length(camera.up);
   camera.right = right * ((left_handed ? 1 : -1) * glm::length(camera.right));
@@ -113,7 +119,7 @@ void work_in(Reader& in, Draft& draft) {
   double const direction = glm::length(camera.direction);
   if (!(right > 0) || !(direction > 0) || !(glm::length(camera.up) > 0))
     return fail(in, draft, "the camera's right, up and direction must not be zero");
-  if (draft.angle_deg) {
+  if (draft.angle_deg.value_or(0) > 0) {
     double const half_rad = *draft.angle_deg / 2 * (std::numbers::pi / 180);
     camera.direction *= right / (2 * std::tan(half_rad)) / direction;
   }
@@ -135,13 +141,37 @@ void transform_camera(Camera& camera, geometry::Transform const& transform) {
   camera.right = transform.vector(camera.right);
 }
 
-/// Three directions in one plane show nothing.
+/// Half of the picture and a little more: samples may lie beside it by a part of a pixel.
+constexpr double edge = 0.7;
+
+/// Has a point of the picture a ray without a direction? @param c its vectors lie in one plane
+bool has_lost_ray(Camera const& c) {
+  if (c.kind == Camera::Kind::Orthographic) return false;
+  Vec3 const axis = glm::cross(c.right, c.up);
+  double const area2 = glm::dot(axis, axis);
+  double const right = glm::length(c.right), up = glm::length(c.up);
+  if (std::sqrt(area2) > gamma_bound(8) * right * up) {
+    double const a = glm::dot(glm::cross(c.direction, c.up), axis) / area2;
+    double const b = glm::dot(glm::cross(c.right, c.direction), axis) / area2;
+    return std::abs(a) <= edge && std::abs(b) <= edge;
+  }
+  double const ahead = glm::length(c.direction);
+  Vec3 const across = right > up ? c.right : c.up;
+  return ahead <= edge * (right + up)
+         && glm::length(glm::cross(across, c.direction))
+                <= gamma_bound(8) * glm::length(across) * ahead;
+}
+
+/// Three directions in one plane show what lies in it.
 void check(Reader& in, Draft& draft) {
   Camera const& c = draft.camera;
   double const volume = std::abs(glm::dot(c.right, glm::cross(c.up, c.direction)));
   double const scale = glm::length(c.right) * glm::length(c.up) * glm::length(c.direction);
-  if (!(volume > gamma_bound(8) * scale))
-    fail(in, draft, "the camera's right, up and direction lie in one plane");
+  if (volume > gamma_bound(8) * scale || draft.failed) return;
+  if (has_lost_ray(c))
+    return fail(in, draft, "the camera's right, up and direction lie in one plane and cancel out");
+  in.report(Severity::Warning, "E0352",
+            "the camera's right, up and direction lie in one plane: nothing else is seen", c.span);
 }
 
 } // namespace

@@ -99,7 +99,9 @@ void camera_rays(scene::Camera const& camera, double const* x, double const* y, 
 }
 
 Footprint pixel_footprint(scene::Camera const& camera, int width, int height) {
-  double const size = std::min(glm::length(camera.right) / width, glm::length(camera.up) / height);
+  double const across = glm::length(camera.right) / width, down = glm::length(camera.up) / height;
+  // A camera that sees along one plane may have no height.
+  double const size = across > 0 && down > 0 ? std::min(across, down) : std::max(across, down);
   if (camera.kind == scene::Camera::Kind::Orthographic) return {size, 0};
   return {0, size / glm::length(camera.direction)};
 }
