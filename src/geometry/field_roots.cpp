@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/field_roots.hpp"
 
+#include "geometry/line.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace abbe::geometry {
 
 namespace {
+
+/// Roots that are nearer to one another, as a share of the line's length, may be one root to the
+/// enclosures, whose width is a rounding of the values.
+constexpr double graze = 0x1p-24;
 
 struct Part {
   double low, high;
@@ -15,47 +20,85 @@ struct Part {
 };
 
 /// The field's value less the level, at one place of the line as given.
-Interval at(FieldLine const& line, double t) {
-  return line.field.along(line.origin, line.direction, Interval(t)).value - Interval(line.level);
+ScalarField::Along at(FieldLine const& line, double t) {
+  ScalarField::Along here = line.field.along(line.origin, line.direction, Interval(t));
+  here.value = here.value - Interval(line.level);
+  return here;
 }
-Interval around_zero(Interval const& value) {
-  return value.low <= value.high ? value : Interval::everything();
+double value_at(FieldLine const& line, double t) {
+  double const value = line.field.value(line.origin + t * line.direction) - line.level;
+  return std::isnan(value) ? infinity : value;
 }
 
-/// The root between sides that differ: Newton's steps with the slope of the field, halving else.
-FieldRoot refined(FieldLine const& line, Part const& part) {
-  double low = part.low, high = part.high, step = high - low;
-  bool const rising = part.first < 0;
-  double t = 0.5 * low + 0.5 * high;
-  ScalarField::Along here{};
+/// Where doubles see the field pass the level, between sides that differ: by inverse quadratic
+/// interpolation where it can be trusted, halving else (Chandrupatla 1997).
+double passage(FieldLine const& line, Part const& part) {
+  double a = part.high, b = part.low;
+  double at_a = value_at(line, a), at_b = value_at(line, b);
+  double share = at_a / (at_a - at_b); // of the way from a to b: where their chord is zero
   for (int i = 0; i < 200; ++i) {
-    here = line.field.along(line.origin, line.direction, Interval(t));
-    double const value = line.field.value(line.origin + t * line.direction) - line.level;
-    ((value <= 0) == rising ? low : high) = t;
-    double const slope = here.slope.middle(), newton = t - value / slope;
-    bool const good = newton > low && newton < high && std::fabs(newton - t) < 0.5 * step;
-    double const next = good ? newton : 0.5 * low + 0.5 * high;
-    step = std::fabs(next - t);
-    if (value == 0 || next == t || next <= low || next >= high) break;
-    t = next;
+    double const best = std::fabs(at_b) < std::fabs(at_a) ? b : a;
+    double const least = 2 * unit_roundoff * std::fabs(best) / std::fabs(b - a);
+    if (!(least <= 0.5)) return best;
+    if (!(share >= 0)) share = 0.5;
+    double const next = a + std::clamp(share, least, 1 - least) * (b - a);
+    if (next == a || next == b) return best;
+    double const value = value_at(line, next);
+    bool const beyond = (value <= 0) != (at_a <= 0);
+    double const c = beyond ? b : a, at_c = beyond ? at_b : at_a;
+    if (beyond) {
+      b = a;
+      at_b = at_a;
+    }
+    a = next;
+    at_a = value;
+    double const xi = (a - b) / (c - b), phi = (at_a - at_b) / (at_c - at_b);
+    bool const trusted = phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi;
+    share = trusted ? at_a / (at_b - at_a) * at_c / (at_b - at_c)
+                          + (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b)
+                    : 0.5;
   }
-  FieldRoot root;
-  root.at = t;
-  root.rising = rising;
-  // What the value is uncertain by, over the least slope at the root; not more than the bracket.
-  double const uncertain = 0.5 * around_zero(here.value).width();
-  double const steep =
-      here.slope.holds(0) ? 0 : std::min(std::fabs(here.slope.low), std::fabs(here.slope.high));
-  double const by_slope = steep > 0 ? 2 * uncertain / steep : part.high - part.low;
-  root.error = std::max(std::min(by_slope, part.high - part.low), high - low);
-  if (!(root.error < part.high - part.low)) root.error = high - low;
-  return root;
+  return a;
+}
+
+double least_of(Interval const& slope) {
+  return slope.holds(0) ? 0 : std::min(std::fabs(slope.low), std::fabs(slope.high));
+}
+
+/// How far from t, a multiple of `reach`, the field is certainly off the level. Beyond `graze` it
+/// is enough that doubles see it on the `side` where it should be: else a field that keeps to the
+/// level for a while would have roots without a bound.
+double certain_from(FieldLine const& line, double t, double reach, int side, double most) {
+  for (; std::fabs(reach) < most; reach *= 4) {
+    bool const undefined = std::isnan(line.field.value(line.origin + (t + reach) * line.direction));
+    if (undefined || !at(line, t + reach).value.holds(0)) return std::fabs(reach);
+    if (std::fabs(reach) > graze * most && line.side(t + reach) == side) return std::fabs(reach);
+  }
+  return most;
 }
 
 } // namespace
 
+double field_root_error(FieldLine const& line, double t, bool rising, double most) {
+  ScalarField::Along const here = at(line, t);
+  double const uncertain = here.value.low <= here.value.high ? here.value.size() : infinity;
+  double const grain = 2 * unit_roundoff * std::fabs(t),
+               reach = 2 * uncertain / least_of(here.slope);
+  if (reach < 0x1p-30 * most) {
+    // The slope hardly changes on so short a way: what it is at least there proves the reach.
+    Interval const part(t - reach - grain, t + reach + grain);
+    double const least = least_of(line.field.along(line.origin, line.direction, part).slope);
+    if (uncertain <= reach * least) return uncertain / least + grain;
+  }
+  // A graze or a kink: signs tell.
+  double const first = std::max(0x1p-50 * most, grain);
+  int const beyond = rising ? 1 : -1;
+  return std::max(certain_from(line, t, first, beyond, most),
+                  certain_from(line, t, -first, -beyond, most));
+}
+
 int FieldLine::side(double t) const {
-  return field.value(origin + t * direction) - level <= 0 ? -1 : 1;
+  return value_at(*this, t) <= 0 ? -1 : 1;
 }
 
 void field_roots(FieldLine const& line, double low, double high, std::vector<FieldRoot>& roots) {
@@ -74,18 +117,20 @@ void field_roots(FieldLine const& line, double low, double high, std::vector<Fie
     bool const monotone = !over.slope.holds(0);
     bool const coarse = !line.field.smooth() && part.high - part.low <= line.resolution;
     if (part.first != part.last && (monotone || narrow || coarse)) {
-      roots.push_back(refined(line, part));
+      double const root = passage(line, part);
+      bool const rising = part.first < 0;
+      roots.push_back({root, field_root_error(line, root, rising, high - low), rising});
       if (roots.back().at - roots.back().error > line.enough) return;
       continue;
     }
     if (narrow || monotone || coarse) continue;
-    Interval const here = at(line, middle);
+    Interval const here = at(line, middle).value;
     Interval const half((part.low - part.high) * 0.5, (part.high - part.low) * 0.5);
     Interval const mean = here + over.slope * half;
     if (part.first == part.last && !mean.holds(0)) continue;
     int const side = line.side(middle);
     if (here.holds(0) && part.first == part.last && side == part.first
-        && at(line, part.low).holds(0) && at(line, part.high).holds(0)) {
+        && at(line, part.low).value.holds(0) && at(line, part.high).value.holds(0)) {
       continue; // a graze that rounding hides
     }
     waiting.push_back({middle, part.high, side, part.last});

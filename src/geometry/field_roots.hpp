@@ -33,6 +33,12 @@ struct FieldLine {
   int side(double t) const;
 };
 
+/// Bound of the error of a root that doubles see at t: within it the field passes the level, or
+/// comes too near to it to tell. A bound of rounding, proven by enclosures: of the slope, or (where
+/// that may be zero) of the values at both ends.
+/// @param most how far to look, at least
+double field_root_error(FieldLine const& line, double t, bool rising, double most);
+
 /// Appends the roots in (low, high), ascending.
 void field_roots(FieldLine const& line, double low, double high, std::vector<FieldRoot>& roots);
 

@@ -145,11 +145,7 @@ bool Superellipsoid::Size::convex_roots(FieldLine const& line, double low, doubl
     FieldRoot root;
     root.rising = rising;
     root.at = bracketed_root(at, from, to, rising);
-    Along const here = along(line.origin, line.direction, Interval(root.at));
-    double const steep =
-        here.slope.holds(0) ? 0 : std::min(std::fabs(here.slope.low), std::fabs(here.slope.high));
-    double const error = steep > 0 ? 2 * here.value.width() / steep : to - from;
-    root.error = std::min(error, to - from) + 2 * unit_roundoff * std::fabs(root.at);
+    root.error = field_root_error(line, root.at, rising, high - low);
     roots.push_back(root);
   }
   return true;

@@ -72,5 +72,107 @@ TEST(FieldRoots, StopsBeyondWhatIsEnough) {
   EXPECT_LE((roots.end() - 2)->at, 1);
 }
 
+/// A field of x alone: `f` takes an enclosure of x and of its slope to those of the field.
+template <class F>
+class Profile final : public ScalarField {
+public:
+  explicit Profile(F f, bool smooth = true) : f_(f), smooth_(smooth) {}
+  double value(Vec3 const& p) const override {
+    return f_(Interval(p.x), Interval(0)).value.middle();
+  }
+  Along along(Vec3 const& o, Vec3 const& d, Interval const& part) const override {
+    return f_(Interval(o.x) + Interval(d.x) * part, Interval(d.x));
+  }
+  bool smooth() const override { return smooth_; }
+  Vec3 gradient(Vec3 const&) const override { return {0, 0, 0}; }
+
+private:
+  F f_;
+  bool smooth_;
+};
+template <class F>
+std::vector<FieldRoot> roots_of(Profile<F> const& field, double level, double low, double high) {
+  FieldLine const line{field, Vec3(0), Vec3(1, 0, 0), level, 1e-3, INFINITY};
+  std::vector<FieldRoot> roots;
+  field_roots(line, low, high, roots);
+  return roots;
+}
+void expect_roots(std::vector<FieldRoot> const& roots, std::vector<double> const& truths,
+                  double most_error) {
+  ASSERT_EQ(roots.size(), truths.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    EXPECT_NEAR(roots[i].at, truths[i], roots[i].error) << i;
+    EXPECT_LT(roots[i].error, most_error) << i;
+    EXPECT_EQ(roots[i].rising, i % 2 == 1) << i;
+  }
+}
+using Along = ScalarField::Along;
+Along slope_of_size(Interval const& x, Interval const& d) {
+  return {abs(x), x.low >= 0 ? d : x.high <= 0 ? -d : hull(d, -d)};
+}
+
+/// Newton's method and chords are at such a root at once, from one side.
+TEST(FieldRoots, OfALinearFieldAreKnownToItsRounding) {
+  Profile const gable(slope_of_size);
+  for (double const level : {1.0, 0.7, 1.0 / 3, 1e-9}) {
+    expect_roots(roots_of(gable, level, -3, 2), {-level, level}, 8e-16 * (level + 1e-9));
+  }
+}
+
+TEST(FieldRoots, AtAKinkAreKnownToItsRounding) {
+  // x - 1 up to 1, a tenth of it beyond.
+  Profile const kink([](Interval const& x, Interval const& d) {
+    Interval const y = x - Interval(1);
+    if (y.high <= 0) return Along{-y, -d};
+    Interval const flat = Interval(-.1) * y;
+    return y.low >= 0
+               ? Along{flat, Interval(-.1) * d}
+               : Along{hull(-Interval(y.low), Interval(flat.low)), hull(-d, Interval(-.1) * d)};
+  });
+  expect_roots(roots_of(kink, 0, -3, 4), {1.0}, 1e-14);
+}
+
+TEST(FieldRoots, OfAPlateauAreAtItsEnds) {
+  Profile const plateau([](Interval const& x, Interval const& d) {
+    Along const size = slope_of_size(x, d);
+    Interval const over = size.value - Interval(1);
+    return Along{{std::max(over.low, 0.0), std::max(over.high, 0.0)},
+                 over.low > 0    ? size.slope
+                 : over.high < 0 ? Interval(0)
+                                 : hull(size.slope, Interval(0))};
+  });
+  expect_roots(roots_of(plateau, 0, -3, 2.5), {-1.0, 1.0}, 1e-5);
+}
+
+TEST(FieldRoots, OfAJumpAreKnownToTheRoundingOfTheLine) {
+  Profile const jump(
+      [](Interval const& x, Interval const&) {
+        double const low = x.low < 1.0 / 3 ? 1 : -1, high = x.high < 1.0 / 3 ? 1 : -1;
+        return Along{{high, low}, low == high ? Interval(0) : Interval::everything()};
+      },
+      false);
+  expect_roots(roots_of(jump, 0, -3, 2), {1.0 / 3}, 1e-14);
+}
+
+/// The nearer two roots come to one, the wider their bounds, up to the root of the rounding; they
+/// do not reach a third root.
+TEST(FieldRoots, OfAGrazeHaveBoundsOfTheRootOfTheRounding) {
+  Profile const bowl([](Interval const& x, Interval const& d) {
+    return Along{square(x), Interval(2) * x * d};
+  });
+  for (double const level : {1e-2, 1e-8, 1e-14, 1e-16, 1e-18, 1e-30}) {
+    double const root = std::sqrt(level);
+    expect_roots(roots_of(bowl, level, -3, 2), {-root, root}, 1e-15 * root + 1e-40);
+    // Beside one, the values have the rounding of one.
+    Profile const high([](Interval const& x, Interval const& d) {
+      return Along{square(x) + Interval(1), Interval(2) * x * d};
+    });
+    auto const roots = roots_of(high, 1 + level, -3, 2);
+    double const rounded = std::sqrt((1 + level) - 1);
+    if (rounded == 0) continue;
+    expect_roots(roots, {-rounded, rounded}, std::min(1e-15 / rounded, 2e-7));
+  }
+}
+
 } // namespace
 } // namespace abbe::geometry
