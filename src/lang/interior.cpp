@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace abbe::lang {
 
 namespace {
@@ -67,9 +69,9 @@ bool read_dispersion_item(Reader& in, Interior& interior) {
 
 bool read_fade(Reader& in, Interior& interior) {
   if (in.accept("fade_distance"))
-    interior.fade_distance = read_not_negative(in, "fade_distance");
+    interior.fade_distance = in.number("fade_distance");
   else if (in.accept("fade_power"))
-    interior.fade_power = read_not_negative(in, "fade_power");
+    interior.fade_power = in.number("fade_power");
   else if (in.accept("fade_color") || in.accept("fade_colour"))
     interior.fade_colour = read_rgb(in, "fade_color");
   else if (in.accept("caustics"))
@@ -79,11 +81,36 @@ bool read_fade(Reader& in, Interior& interior) {
   return true;
 }
 
+/// colour + (1 - colour) / (1 + (depth / fade_distance)^fade_power) is what POV-Ray takes, whatever
+/// the numbers.
+void check_fade(Reader& in, Interior const& interior, Span at) {
+  double const distance = interior.fade_distance, power = interior.fade_power;
+  if (distance == 0) return;
+  if (distance < 0 && (std::fmod(power, 2) != 0 || power >= 1000))
+    in.report(
+        Severity::Error, "E0353",
+        fmt::format("light inside would grow without bound: fade_distance is {}, and fade_power "
+                    "{} is no even number below 1000",
+                    distance, power),
+        at);
+  else if (power == 0)
+    in.report(Severity::Warning, "E0353",
+              "without a fade_power, half of what fade_distance can take is lost at any depth (and "
+              "nothing in shadows), as in POV-Ray",
+              at);
+  else if (power < 0)
+    in.report(Severity::Warning, "E0353",
+              fmt::format("fade_power {} takes less light the deeper it goes (and nothing in "
+                          "shadows), as in POV-Ray",
+                          power),
+              at);
+}
+
 } // namespace
 
 void read_interior(Reader& in, Interior& interior) {
   Span const span = in.block_span();
-  Span ior_at;
+  Span ior_at, fade_at;
   while (!in.at_end()) {
     Span const at = in.next_span();
     if (auto named = in.accept_value<Interior>()) {
@@ -93,14 +120,16 @@ void read_interior(Reader& in, Interior& interior) {
     } else if (in.accept("ior")) {
       interior.ior = read_ior(in);
       ior_at = at;
+    } else if (read_fade(in, interior)) {
+      fade_at = at;
     } else if (in.accept("priority")) {
       interior.priority = in.integer("priority", -1000000, 1000000);
-    } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)
-               && !read_fade(in, interior)) {
+    } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)) {
       reject(in, "an interior item");
     }
   }
   interior.span = span;
+  if (fade_at.valid()) check_fade(in, interior, fade_at);
   if (interior.glass && ior_at.valid())
     in.report(Severity::Warning, "E0422", "ior has no effect beside a glass", ior_at);
 }

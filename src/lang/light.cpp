@@ -13,6 +13,8 @@ namespace {
 
 using scene::Light;
 
+scene::Colour const black{Vec3(0), 0, 0, nullptr};
+
 /// `spotlight`, `parallel` and how they combine.
 bool read_kind(Reader& in, Light& light) {
   Span const at = in.next_span();
@@ -101,10 +103,17 @@ bool read_item(Reader& in, Light& light) {
   return true;
 }
 
-void check(Reader& in, Light const& light) {
+void check(Reader& in, Light& light) {
+  if (light.fade_distance != 0 && light.fade_power < 0)
+    in.report(Severity::Warning, "E0353",
+              fmt::format("fade_power {} has no effect: it must be positive", light.fade_power),
+              light.span);
   if (light.kind == Light::Kind::Point || light.point_at != light.position) return;
-  in.report(Severity::Error, "E0353", "this light points at its own place: it has no direction",
+  in.report(Severity::Warning, "E0353",
+            "this light points at its own place: it has no direction and gives no light",
             light.span);
+  light.kind = Light::Kind::Point;
+  light.colour = black;
 }
 
 } // namespace
@@ -115,7 +124,15 @@ scene::Light read_light(Reader& in) {
     light = *named;
   } else {
     light.position = in.vec3("position");
-    if (starts_colour(in)) light.colour = read_rgb(in, "the light");
+    if (starts_colour(in)) {
+      light.colour = read_rgb(in, "the light");
+    } else {
+      light.colour = black;
+      in.report(
+          Severity::Warning, "E0250",
+          "this light has no colour and is black, as in POV-Ray: expected 'rgb 1' or the like",
+          in.block_span());
+    }
   }
   light.span = in.block_span();
   while (!in.at_end())

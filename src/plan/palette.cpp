@@ -37,7 +37,8 @@ private:
     if (object.texture) layers(*object.texture);
     if (object.interior_texture) layers(*object.interior_texture);
     for (auto const& face : object.face_textures) layers(face);
-    if (object.interior && object.interior->fade_power != 0) colour_(object.interior->fade_colour);
+    if (object.interior && object.interior->fade_distance != 0)
+      colour_(object.interior->fade_colour);
     for (auto const& child : object.children) this->object(child);
   }
   void layers(scene::Layers const& layers) {

@@ -167,8 +167,7 @@ private:
   void interior(scene::Interior const& interior) {
     if (!seen_.insert(&interior).second) return;
     Span const span = interior.span;
-    if (interior.fade_power != 0 && interior.fade_distance != 0)
-      find(Effect::DistanceFade, "fade_distance and fade_power", span);
+    if (interior.fade_distance != 0) find(Effect::DistanceFade, "fade_distance", span);
     auto const glass = dispersive_glass(interior);
     if (glass && glass->absorbs() && !choices_.off(Switch::Absorption)) {
       find(Effect::Absorption, "internal absorption of " + glass->full_name(), span);

@@ -26,7 +26,8 @@ CompiledLight compile_light(scene::Light const& light, Vec3 const& eye, ColourCo
   double const length = glm::length(toward);
   if (length > 0) out.direction = toward / length;
   out.cos_radius = cos_degrees(light.radius_deg);
-  out.cos_falloff = cos_degrees(light.falloff_deg);
+  // A falloff within the radius is a hard edge at the radius.
+  out.cos_falloff = std::min(cos_degrees(light.falloff_deg), out.cos_radius);
   out.tightness = light.tightness;
   return out;
 }

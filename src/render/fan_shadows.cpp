@@ -57,7 +57,7 @@ void FanShadows::find(Ways& out) {
   auto* lines = tracer_.arena_.take<geometry::FanLines>(1);
   bool through = false;
   for (std::size_t k = 0; k < n; ++k) {
-    if ((out.aim.comes >> k & 1) == 0) return;
+    if ((out.aim.comes >> k & 1) == 0 || !(out.aim.distance[k] > 0)) return;
     bool const beyond = out.aim.cosine[k] < 0;
     if (k > 0 && beyond != through) return; // the lamp is in the surface's plane
     through = beyond;
@@ -182,7 +182,7 @@ void FanShadows::arrive(Filtered const& rays, Ways& out) {
   for (std::size_t k = 0; k < rays.lines->count; ++k) {
     double* const left = light.throughput + static_cast<int>(k) * each;
     for (int c = 0; c < each; ++c)
-      left[c] *= distance_fade(medium, light.channel[static_cast<int>(k) * each + c], rays.rest[k]);
+      left[c] *= shadow_fade(medium, light.channel[static_cast<int>(k) * each + c], rays.rest[k]);
     std::size_t const place = rays.place[k];
     std::copy_n(left, each, out.left + static_cast<int>(place) * each);
     out.way[place] = any_above(left, each, 0) ? Way::Filtered : Way::Blocked;
@@ -204,7 +204,7 @@ void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Tracer
     auto const first = static_cast<int>(k) * each;
     double* const left = light.throughput + first;
     for (int c = 0; leaves && c < each; ++c)
-      left[c] *= distance_fade(medium, light.channel[first + c], hits.t[k]);
+      left[c] *= shadow_fade(medium, light.channel[first + c], hits.t[k]);
     for (auto const& crossing : frame.hit.crossings)
       tint(stage, stage.surfaces[crossing.primitive], hits.point.get(k), light.channel + first,
            each, left, tracer_.arena_);

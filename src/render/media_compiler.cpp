@@ -32,8 +32,7 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
   medium.fresnel = interior.glass != nullptr && refracts && !plan_.is_off(Switch::Reflection);
   medium.index_d = refracts ? plan::plain_index(interior) : 1;
   medium.flat_index.assign(static_cast<std::size_t>(stage_.channels), medium.index_d);
-  if (interior.fade_power != 0 && interior.fade_distance != 0
-      && !plan_.is_off(Switch::DistanceFade)) {
+  if (interior.fade_distance != 0 && !plan_.is_off(Switch::DistanceFade)) {
     medium.fade_distance = interior.fade_distance;
     medium.fade_power = interior.fade_power;
     medium.fade_colour = colours_.reflectance(interior.fade_colour);

@@ -204,8 +204,9 @@ void aim(CompiledLight const& light, FanVectors const& points, FanVectors const&
   bool const parallel = light.kind == scene::Light::Kind::Parallel;
   out.comes = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    // Not in the lamp, and not behind the plane of one whose light is parallel.
-    bool const comes = parallel ? out.distance[k] > 0 : out.distance[k] != 0;
+    // Not in the lamp. Parallel light is everywhere, as in POV-Ray: behind the lamp's plane, where
+    // the distance is negative, without shadows.
+    bool const comes = parallel || out.distance[k] != 0;
     out.comes |= std::uint64_t{comes} << k;
   }
 }

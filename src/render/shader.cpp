@@ -16,7 +16,7 @@ double metallic_falloff(double cosine) {
 }
 
 double distance_fade(Medium const& medium, int channel, double distance) {
-  if (medium.fade_power == 0 || medium.fade_distance == 0) return 1;
+  if (medium.fade_distance == 0) return 1;
   double const colour =
       medium.fade_colour.empty() ? 0 : medium.fade_colour[static_cast<std::size_t>(channel)];
   double const depth = distance / medium.fade_distance;

@@ -165,5 +165,10 @@ double metallic_falloff(double cosine);
 
 /// Attenuation by `fade_distance` and `fade_power` of the medium that is left, one channel.
 double distance_fade(Medium const& medium, int channel, double distance);
+/// The same for light on its way from a lamp: a fade_power of 0 or below takes none of it in
+/// POV-Ray.
+inline double shadow_fade(Medium const& medium, int channel, double distance) {
+  return medium.fade_power > 0 ? distance_fade(medium, channel, distance) : 1;
+}
 
 } // namespace abbe::render

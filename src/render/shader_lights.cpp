@@ -16,7 +16,7 @@ double strength_of(CompiledLight const& light, Vec3 const& to_light, double dist
   if (light.kind == scene::Light::Kind::Spot) {
     double const cosine = -glm::dot(to_light, light.direction);
     if (cosine <= 0 || cosine < light.cos_falloff) return 0;
-    if (light.tightness > 0) strength = std::pow(cosine, light.tightness);
+    if (light.tightness != 0) strength = std::pow(cosine, light.tightness);
     if (cosine < light.cos_radius) {
       double const x = (cosine - light.cos_falloff) / (light.cos_radius - light.cos_falloff);
       strength *= x * x * (3 - 2 * x);
@@ -24,7 +24,7 @@ double strength_of(CompiledLight const& light, Vec3 const& to_light, double dist
   }
   if (light.fade_power > 0 && light.fade_distance != 0)
     strength *= 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power));
-  return strength;
+  return std::isfinite(strength) ? strength : 0; // negative distances have no broken powers
 }
 
 } // namespace
@@ -137,6 +137,7 @@ template <int Lanes>
 bool Shader<Lanes>::visible(Lit const& lit, std::size_t r, double* left) {
   Vec3 const to_light = lit.aim->direction.get(r);
   double const distance = lit.aim->distance[r];
+  if (!(distance > 0)) return true; // behind the plane of parallel light
   geometry::Departure& from = frame_.shadow;
   from.on = frame_.hit.members;
   from.through = glm::dot(met_.geometric->get(r), to_light) < 0;
@@ -172,8 +173,7 @@ void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, std::si
     double const travelled = way.travelled + frame.hit.t;
     way.travelled = frame.hit.crossings.empty() ? travelled : 0;
     if (tracer_.medium_of(next) != tracer_.medium_of(way.inside))
-      for (int k = 0; k < each(); ++k)
-        left[k] *= distance_fade(medium, light.channel[k], travelled);
+      for (int k = 0; k < each(); ++k) left[k] *= shadow_fade(medium, light.channel[k], travelled);
     for (auto const& crossing : frame.hit.crossings)
       tint(stage_, stage_.surfaces[crossing.primitive], frame.hit.point, light.channel, each(),
            left, tracer_.arena_);
@@ -192,7 +192,7 @@ void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, std::si
     InsideNode const* const at_lamp = tracer_.travel(way, rest, light);
     Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(at_lamp))];
     for (int k = 0; k < each(); ++k) // the lamp stands in it
-      left[k] *= distance_fade(medium, light.channel[k], way.travelled + rest);
+      left[k] *= shadow_fade(medium, light.channel[k], way.travelled + rest);
   }
   --tracer_.depth_;
 }

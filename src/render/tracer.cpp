@@ -237,17 +237,26 @@ void Tracer::add_background(Vec3 const& direction, Beam const& beam) {
   Vec3 const point = stage_.to_sky_linear * direction + stage_.to_sky_offset;
   auto* left = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(left, beam.lanes, 1.0);
+  // Below version 3.7, a layer's colour filters the background, but not the layers under it.
+  bool const plain_layers = stage_.opacity_version < 3.7;
+  double filter = 1, transmit = 1, through = 1; // all layers above
   for (auto number = stage_.sky_pigments.rbegin(); number != stage_.sky_pigments.rend(); ++number) {
     Arena::Scope const of_pigment(arena_);
     PigmentValue pigment{arena_.take<double>(static_cast<std::size_t>(beam.lanes))};
     evaluate_pigment<0>(stage_, *number, point, beam.channel, beam.lanes, pigment, arena_);
-    double const opaque = opacity(stage_, pigment, beam.lanes);
+    double const opaque = 1 - pigment.filter - pigment.transmit;
     for (int k = 0; k < beam.lanes; ++k) {
-      out_[beam.slot[k]] += beam.throughput[k] * left[k] * opaque * pigment.colour[k]
-                            * stage_.sky_emission[beam.channel[k]];
-      left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
+      double const share = opaque * (plain_layers ? through : left[k]);
+      out_[beam.slot[k]] +=
+          beam.throughput[k] * share * pigment.colour[k] * stage_.sky_emission[beam.channel[k]];
+      left[k] *=
+          plain_layers ? pigment.colour[k] : pigment.filter * pigment.colour[k] + pigment.transmit;
     }
+    filter *= pigment.filter;
+    transmit *= pigment.transmit;
+    through = filter + transmit;
   }
+  for (int k = 0; plain_layers && k < beam.lanes; ++k) left[k] = filter * left[k] + transmit;
   if (stage_.background.empty()) return;
   for (int k = 0; k < beam.lanes; ++k)
     out_[beam.slot[k]] += beam.throughput[k] * left[k] * stage_.background[beam.channel[k]];
@@ -294,7 +303,7 @@ InsideNode const* Tracer::travel(PathRay const& ray, double distance, Beam& beam
     absorb(beam, medium, part);
     if (!left) return inside;
     InsideNode const* const rest = without(inside, left->solid);
-    if (medium.fade_power != 0 && medium_of(rest) != medium_of(inside))
+    if (medium.fade_distance != 0 && medium_of(rest) != medium_of(inside))
       for (int k = 0; k < beam.lanes; ++k)
         beam.throughput[k] *= distance_fade(medium, beam.channel[k], ray.travelled + part);
     at = std::max(at, end);

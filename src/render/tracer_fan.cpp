@@ -298,7 +298,7 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   through.throughput = arena_.take<double>(static_cast<std::size_t>(incoming.lanes));
   std::copy_n(incoming.throughput, incoming.lanes, through.throughput);
   absorb_fan(through, before, hits.t, each);
-  bool const fades = fan.inside != after && before.fade_power != 0;
+  bool const fades = fan.inside != after && before.fade_distance != 0;
   for (std::size_t k = 0; fades && k < n; ++k) {
     Beam const own = through.ray(static_cast<int>(k), each);
     for (int c = 0; c < each; ++c)

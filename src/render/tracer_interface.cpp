@@ -99,7 +99,7 @@ void Tracer::interact(PathRay const& ray, Beam& beam, Frame& frame) {
   face.before = medium_of(ray.inside);
   face.after = medium_of(after);
   Medium const& before = stage_.media[static_cast<std::size_t>(face.before)];
-  if (ray.inside != after && before.fade_power != 0)
+  if (ray.inside != after && before.fade_distance != 0)
     for (int k = 0; k < beam.lanes; ++k)
       beam.throughput[k] *= distance_fade(before, beam.channel[k], ray.travelled + frame.hit.t);
   find_normals(ray, frame, face);

@@ -139,5 +139,21 @@ TEST(Interior, KeepsPovRaysOwnForm) {
   EXPECT_EQ(codes("sphere { 0, 1 interior { ior 1.5 glass { abbe 1.5, 60 } } }"), "E0422");
 }
 
+TEST(Interior, OddFadesWarnAndThoseWithoutBoundAreErrors) {
+  auto const ok = [](std::string const& items) {
+    return evaluate("sphere { 0, 1 interior { " + items + " } }").ok();
+  };
+  auto const warns = [](std::string const& items) {
+    return codes("sphere { 0, 1 interior { " + items + " } }");
+  };
+  EXPECT_EQ(warns("fade_distance 2"), "E0353");
+  EXPECT_EQ(warns("fade_distance 2 fade_power -1"), "E0353");
+  EXPECT_EQ(warns("fade_power 0"), "");
+  EXPECT_EQ(warns("fade_distance -2 fade_power 2"), "");
+  EXPECT_TRUE(ok("fade_distance 2") && ok("fade_distance 2 fade_power -1"));
+  for (char const* power : {"1", "3", "0.5", "1000", "-1"})
+    EXPECT_FALSE(ok(std::string("fade_distance -2 fade_power ") + power)) << power;
+}
+
 } // namespace
 } // namespace abbe::lang

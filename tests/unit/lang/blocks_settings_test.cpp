@@ -49,9 +49,9 @@ TEST(Light, KindsAndFalloff) {
       "light_source { 0, rgb 1 spotlight point_at y radius 10 falloff 20 tightness 3 translate x "
       "}\n"
       "light_source { y, rgb 1 parallel point_at 0 shadowless fade_distance 5 fade_power 2 }\n"
-      "#declare L = light_source { 0 rgb 1 } light_source { L translate z } light_source { 0 }");
+      "#declare L = light_source { 0 rgb 1 } light_source { L translate z }");
   using Kind = scene::Light::Kind;
-  ASSERT_EQ(s.lights.size(), 5u);
+  ASSERT_EQ(s.lights.size(), 4u);
   EXPECT_EQ(s.lights[0].position, Vec3(1, 2, 3));
   EXPECT_EQ(s.lights[1].kind, Kind::Spot);
   EXPECT_EQ(s.lights[1].position, Vec3(1, 0, 0));
@@ -61,14 +61,30 @@ TEST(Light, KindsAndFalloff) {
   EXPECT_TRUE(s.lights[2].shadowless);
   EXPECT_EQ(s.lights[2].fade_power, 2);
   EXPECT_EQ(s.lights[3].position, Vec3(0, 0, 1));
-  EXPECT_EQ(s.lights[4].colour.rgb, Vec3(1));
 }
 
 TEST(Light, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("light_source { 0, rgb 1 area_light x, y, 4, 4 adaptive 1 jitter }"), "E0901");
   EXPECT_EQ(codes("light_source { 0, rgb 1 looks_like { sphere { 0, 1 } } }"), "E0901");
   EXPECT_EQ(codes("light_source { 0, rgb 1 cylinder point_at y radius 1 falloff 2 }"), "E0901");
-  EXPECT_EQ(codes("light_source { y, rgb 1 spotlight point_at y }"), "E0353");
+}
+
+TEST(Light, WithoutColourOrDirectionIsBlackAndSaysSo) {
+  for (auto const& [text, code] :
+       {std::pair{"light_source { 0 shadowless }", "E0250"},
+        std::pair{"light_source { y, rgb 1 spotlight point_at y }", "E0353"},
+        std::pair{"light_source { y, rgb 1 parallel point_at y }", "E0353"}}) {
+    auto const e = evaluate(text);
+    EXPECT_TRUE(e.ok());
+    EXPECT_EQ(codes(text), code);
+    ASSERT_EQ(e.scene.lights.size(), 1u);
+    EXPECT_EQ(e.scene.lights[0].colour.rgb, Vec3(0));
+  }
+}
+
+TEST(Light, AFadePowerBelowZeroWarns) {
+  EXPECT_TRUE(evaluate("light_source { 0, rgb 1 fade_distance 2 fade_power -1 }").ok());
+  EXPECT_EQ(codes("light_source { 0, rgb 1 fade_distance 2 fade_power -1 }"), "E0353");
 }
 
 TEST(Sky, PigmentsStack) {
