@@ -103,6 +103,11 @@ int FieldLine::side(double t) const {
 
 void field_roots(FieldLine const& line, double low, double high, std::vector<FieldRoot>& roots) {
   std::vector<Part> waiting{{low, high, line.side(low), line.side(high)}};
+  auto const take = [&](Part const& part) {
+    double const root = passage(line, part);
+    bool const rising = part.first < 0;
+    roots.push_back({root, field_root_error(line, root, rising, high - low), rising});
+  };
   while (!waiting.empty()) {
     Part const part = waiting.back();
     waiting.pop_back();
@@ -117,9 +122,7 @@ void field_roots(FieldLine const& line, double low, double high, std::vector<Fie
     bool const monotone = !over.slope.holds(0);
     bool const coarse = !line.field.smooth() && part.high - part.low <= line.resolution;
     if (part.first != part.last && (monotone || narrow || coarse)) {
-      double const root = passage(line, part);
-      bool const rising = part.first < 0;
-      roots.push_back({root, field_root_error(line, root, rising, high - low), rising});
+      take(part);
       if (roots.back().at - roots.back().error > line.enough) return;
       continue;
     }
@@ -129,9 +132,13 @@ void field_roots(FieldLine const& line, double low, double high, std::vector<Fie
     Interval const mean = here + over.slope * half;
     if (part.first == part.last && !mean.holds(0)) continue;
     int const side = line.side(middle);
-    if (here.holds(0) && part.first == part.last && side == part.first
-        && at(line, part.low).value.holds(0) && at(line, part.high).value.holds(0)) {
-      continue; // a graze that rounding hides
+    // As close to the level all along as rounding can tell: a graze, or a line along a flat face.
+    // Sides say nothing there, but for those at the ends.
+    auto const hidden = [&](double t) { return at(line, t).value.holds(0); };
+    if (mean.size() <= 16 * here.width() && here.holds(0) && hidden(part.low)
+        && hidden(part.high)) {
+      if (part.first != part.last) take(part);
+      continue;
     }
     waiting.push_back({middle, part.high, side, part.last});
     waiting.push_back({part.low, middle, part.first, side});

@@ -157,6 +157,33 @@ def touching_media(render, full):
         yield from sweep(render, 'media.pov', rows, 'Gap', gaps, lambda gap: 0.1, False, Turn=turn, **priority)
 
 
+TRACED = {0: 'isosurface: octahedron', 1: 'isosurface: cube', 2: 'isosurface: torus by sqrt', 3: 'isosurface: sphere',
+          4: 'superellipsoid: sphere', 5: 'superellipsoid: octahedron', 6: 'superellipsoid: double cone', 7: 'blob: sphere',
+          8: 'blob: capsule', 9: 'lathe, linear_spline: cones', 10: 'lathe, bezier_spline: cone', 11: 'sor: cone',
+          12: 'sphere_sweep, linear_spline: capsule', 13: 'sphere_sweep, b_spline: capsule', 14: 'quartic: torus', 15: 'cubic: sphere'}
+WAYS = ('beside', 'through a box', 'minus a box', 'within a box', 'merged with a box', 'two halves glued', 'on a box')
+
+
+def searched(render, full):
+    """A shape whose surface is searched, beside, cut by and glued to others, against the same solid of shapes whose surface
+    is computed, opaque and of glass, statements in both orders. The value: pixels off by more than 1/255; none.
+    """
+    render = render if full or render.name != 'abbe' else render.sized(60, 45)
+    for row, name in TRACED.items():
+        ways = [dict(Row=row, Way=way, Clear=clear) for clear in (0, 1) for way in range(len(WAYS))]
+        made = iter(render.pictures([('traced.pov', dict(way, **more)) for way in ways
+                                     for more in ({'Exact': 1}, {}, {'Swapped': 1})]))
+        variants = []
+        for way in ways:
+            reference, *found = (next(made) for _ in range(3))
+            label = WAYS[way['Way']] + (', glass' if way['Clear'] else '')
+            check_object(f'{name} {label}', reference)
+            for picture, order in zip(found, ('', ', swapped')):
+                wrong = None if picture is None or reference is None else reference.differing(picture)
+                variants.append(Variant(label + order, None if wrong is None else float(len(wrong)), wrong == set(), picture))
+        yield Row(name, variants, 'pixels')
+
+
 DISTANT = {0: 'sphere', 1: 'cylinder', 2: 'cone', 3: 'box', 4: 'torus', 5: 'quadric', 6: 'boolean solid',
            7: 'triangle', 8: 'prism', 9: 'mesh', 10: 'superellipsoid', 11: 'blob', 12: 'lathe', 13: 'sphere_sweep',
            14: 'isosurface', 15: 'quartic', 16: 'sor', 17: 'disc', 18: 'polygon', 19: 'poly of order 6', 20: 'cubic in a box',
@@ -361,6 +388,7 @@ FAMILIES = {
     'telephoto': telephoto,
     'coincident': coincident,
     'touching_media': touching_media,
+    'searched': searched,
     'furnace': furnace,
     'trapped_light': trapped_light,
     'spectral_ends': spectral_ends,

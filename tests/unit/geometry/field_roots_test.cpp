@@ -132,6 +132,39 @@ TEST(FieldRoots, AtAKinkAreKnownToItsRounding) {
   expect_roots(roots_of(kink, 0, -3, 4), {1.0}, 1e-14);
 }
 
+class Octahedron final : public ScalarField {
+public:
+  double value(Vec3 const& p) const override {
+    return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z) - 1;
+  }
+  Along along(Vec3 const& o, Vec3 const& d, Interval const& part) const override {
+    Along sum{Interval(-1), Interval(0)};
+    for (int i = 0; i < 3; ++i) {
+      Along const one = slope_of_size(Interval(o[i]) + Interval(d[i]) * part, Interval(d[i]));
+      sum = {sum.value + one.value, sum.slope + one.slope};
+    }
+    return sum;
+  }
+  bool smooth() const override { return true; }
+  Vec3 gradient(Vec3 const&) const override { return Vec3(1); }
+};
+
+/// A lamp in the plane of a face: sides along its light differ from one double to the next, and a
+/// search for all of their changes would not end.
+TEST(FieldRoots, AlongAFlatFaceAreFew) {
+  Octahedron const field;
+  Vec3 const lamp(3, 9, -7);
+  for (int i = 1; i <= 200; ++i) {
+    double const y = -.3 * std::fmod(i * .618, 1) - .01, z = -.6 * std::fmod(i * .414, 1) - .01;
+    Vec3 const on_face(1 + y + z, y, z);
+    Vec3 const d = glm::normalize(lamp - on_face);
+    FieldLine const line{field, on_face - glm::dot(on_face, d) * d, d, 0, 0, INFINITY};
+    std::vector<FieldRoot> roots;
+    field_roots(line, -2, 2, roots);
+    EXPECT_LE(roots.size(), 40U) << i;
+  }
+}
+
 TEST(FieldRoots, OfAPlateauAreAtItsEnds) {
   Profile const plateau([](Interval const& x, Interval const& d) {
     Along const size = slope_of_size(x, d);
