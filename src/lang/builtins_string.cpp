@@ -16,6 +16,41 @@ double f(Arguments a, std::size_t i) {
   return a[i].number.c[0];
 }
 
+/// A character of a text in UTF-8: its number, and how many bytes it takes. A byte that is no part
+/// of one stands for itself; where the text ends it is 0.
+struct Character {
+  int code;
+  std::size_t bytes;
+};
+
+Character character_at(std::string_view text, std::size_t at) {
+  auto const byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<int>(static_cast<unsigned char>(text[i])) : 0;
+  };
+  int const first = byte(at);
+  std::size_t const bytes = first < 0xc0 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (bytes == 1) return {first, 1};
+  int code = first & (0xff >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(at + i) & 0xc0) != 0x80) return {first, 1};
+    code = (code << 6) | (byte(at + i) & 0x3f);
+  }
+  return {code, bytes};
+}
+
+/// Where character `count`, from 0, begins.
+std::size_t place_of(std::string_view text, double count) {
+  std::size_t at = 0;
+  for (; count > 0 && at < text.size(); --count) at += character_at(text, at).bytes;
+  return at;
+}
+
+double length(std::string_view text) {
+  double count = 0;
+  for (std::size_t at = 0; at < text.size(); at += character_at(text, at).bytes) ++count;
+  return count;
+}
+
 /// More than any text of a scene, less than what a loop of concat() reaches in no time.
 constexpr std::size_t max_string = std::size_t{1} << 24;
 constexpr double max_columns = 1000;
@@ -82,12 +117,14 @@ std::string substr(CallContext& context, Arguments a) {
   std::string const& text = a[0].text;
   double const first = std::trunc(f(a, 1));
   double const count = std::trunc(f(a, 2));
-  if (!(first >= 1 && count >= 0 && first + count - 1 <= static_cast<double>(text.size()))) {
+  double const size = length(text);
+  if (!(first >= 1 && count >= 0 && first + count - 1 <= size)) {
     context.fail(fmt::format("{} characters from number {} on are not in a string of {}", count,
-                             first, text.size()));
+                             first, size));
     return {};
   }
-  return text.substr(static_cast<std::size_t>(first) - 1, static_cast<std::size_t>(count));
+  std::size_t const from = place_of(text, first - 1);
+  return text.substr(from, place_of(std::string_view(text).substr(from), count));
 }
 
 template <char low, char high, int shift>
@@ -119,17 +156,26 @@ std::string datetime(CallContext& context, Arguments a) {
 }
 
 Numeric strlen_of(CallContext&, Arguments a) {
-  return scalar_of(static_cast<double>(a[0].text.size()));
+  return scalar_of(length(a[0].text));
 }
 
+/// POV-Ray's: the difference of the first two characters that differ; the end of a text counts as
+/// 0.
 Numeric strcmp_of(CallContext&, Arguments a) {
-  int const order = a[0].text.compare(a[1].text);
-  return scalar_of(order < 0 ? -1 : order > 0 ? 1 : 0);
+  std::string_view const left = a[0].text;
+  std::string_view const right = a[1].text;
+  std::size_t at = 0;
+  while (at < left.size() && at < right.size()) {
+    Character const character = character_at(left, at);
+    if (character.code != character_at(right, at).code) break;
+    at += character.bytes;
+  }
+  return scalar_of(character_at(left, at).code - character_at(right, at).code);
 }
 
-Numeric asc(CallContext& context, Arguments a) {
-  if (a[0].text.empty()) return context.fail("the string is empty");
-  return scalar_of(static_cast<unsigned char>(a[0].text[0]));
+/// 0 of an empty text, as POV-Ray's.
+Numeric asc(CallContext&, Arguments a) {
+  return scalar_of(character_at(a[0].text, 0).code);
 }
 
 Numeric val(CallContext&, Arguments a) {

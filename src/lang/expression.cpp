@@ -192,7 +192,7 @@ Numeric Expressions::operator()(ast::Vector const& node) {
     while (!reader.at_end()) {
       Span const span = reader.next_span();
       if (reader.next() == Next::Numeric) {
-        add(reader.numeric("a component", 1), span);
+        add(to_numeric(reader.read_value(), span), span);
       } else {
         reader.unexpected("a component of a vector");
         bad = true;

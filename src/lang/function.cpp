@@ -123,7 +123,7 @@ private:
     FloatFunction const* const plain = find_float_function(name);
     bool const right_count = plain ? static_cast<int>(places.size()) == plain->arguments
                              : name == "select" ? places.size() == 3 || places.size() == 4
-                                                : !places.empty();
+                                                : places.size() >= 2; // as POV-Ray's
     if (!right_count)
       return wrong(fmt::format("wrong number of arguments of '{}'", name), node.span);
     if (plain)

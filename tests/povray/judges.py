@@ -6,7 +6,7 @@ import re
 import subprocess
 import tempfile
 
-from scene_grammar import FREE_NAMES
+from scene_grammar import FIXED_NAMES, FREE_NAMES
 
 SECONDS = 10  # a program that needs longer hangs
 POVRAYS = 12  # povray mostly sleeps: these take a third of one processor
@@ -54,7 +54,7 @@ def ask_abbe(program: str, path: pathlib.Path) -> Verdict:
 
 # ---------------------------------------------------------------------------------------- povray
 def undeclaring() -> str:
-    names = FREE_NAMES + [f'I{i}' for i in range(1, 60)]
+    names = FREE_NAMES + FIXED_NAMES + [f'I{i}' for i in range(1, 60)]
     return '#version 3.7;\n' + ''.join(f'#ifdef({name}) #undef {name} #end\n' for name in names)
 
 

@@ -7,7 +7,7 @@ What a scene computes is shown by #debug, in lines that begin with '|'.
 """
 import random
 
-MAX_DEPTH = 4
+MAX_DEPTH = 3
 
 
 class Node:
@@ -47,6 +47,7 @@ class Names:
 
 
 FREE_NAMES = [letter + tail for letter in 'ABCDEFGHKLMNPQRSTW' for tail in ('', 'x', '_1')]
+FIXED_NAMES = [letter + tail for letter in 'FGMNPQRST' for tail in ('f', 'g', 'h_2', 'k', '_3')]
 LETTERS = 'abcxyzABCXYZ019 _-+.,:()<>#@{}&%$'
 ONE_ARGUMENT = ['abs', 'ceil', 'cos', 'degrees', 'floor', 'int', 'radians', 'sin', 'tan', 'atan', 'tanh',
                 'asinh']
@@ -62,7 +63,7 @@ class Writer:
         self.random = random.Random(seed)
         self.names = Names()
         self.loops = 0
-        self.in_macro = False
+        self.fixed = set()  # which of FIXED_NAMES are taken
         self.slips = 0.004 if self.chance(0.3) else 0.0  # how often an expression has another type
 
     # ------------------------------------------------------------------------------------ chance
@@ -86,12 +87,17 @@ class Writer:
 
     def fresh(self) -> str:
         """A name, mostly a new one; an old one may get another type."""
-        if self.names.types and self.chance(0.1):
-            name = self.pick(sorted(self.names.types))
-            if self.names.types[name][0] not in ('function', 'macro'):
-                return name
+        old = [name for name in sorted(self.names.types) if name in FREE_NAMES]
+        if old and self.chance(0.1):
+            return self.pick(old)
         unused = [name for name in FREE_NAMES if name not in self.names.types]
         return self.pick(unused or FREE_NAMES)
+
+    def fixed_name(self) -> str:
+        """A name of what POV-Ray gives no other type: a macro, a function, a spline, a block."""
+        name = self.pick([name for name in FIXED_NAMES if name not in self.fixed])
+        self.fixed.add(name)
+        return name
 
     # ------------------------------------------------------------------------------------ floats
     def number(self) -> str:
@@ -272,10 +278,10 @@ class Writer:
         kind = f'v{size}'
 
         def smaller():
-            """An operand that is promoted."""
+            """An operand that is promoted; POV-Ray forgets components of those that grow to four or five."""
             return self.weighted([(3, lambda: self.float(depth + 1)),
                                   (4, lambda: self.vector(depth + 1, size)),
-                                  (1, lambda: self.vector(depth + 1, 2 + self.below(size - 1)))])()
+                                  (1, lambda: self.vector(depth + 1, 2 + self.below(2) if size == 3 else size))])()
 
         def product():
             op = self.weighted([(3, '+'), (3, '-'), (3, '*'), (1, '/')])
@@ -295,7 +301,7 @@ class Writer:
             (1, lambda: Node(kind, self.pick(['-', '+', '!', '-']), self.vector(depth + 1, size))),
             (2, lambda: Node(kind, '(', self.vector(depth + 1, size), ')')),
             (1, lambda: Node(kind, '(', self.vector(depth + 1, size), self.pick(COMPARISONS + ['&', '|']),
-                             smaller(), ')')),
+                             self.vector(depth + 1, size), ')')),
             (0.7, lambda: Node(kind, '(', *self.comparison(depth), '?', self.vector(depth + 1, size), ':',
                                self.vector(depth + 1, size), ')')),
             (2, lambda: self.element_vector(size, depth)),
@@ -306,7 +312,7 @@ class Writer:
         if names and self.chance(0.5):
             return Node(f'v{size}', self.pick(names))
         axes = {2: ['u', 'v'], 3: ['x', 'y', 'z'], 4: ['t']}.get(size)
-        if axes and self.chance(0.3):
+        if axes and self.chance(0.3) and (depth or size < 4):  # no value is `t` alone
             return Node(f'v{size}', self.pick(axes))
         return self.literal_vector(size, depth + 1)
 

@@ -242,13 +242,13 @@ class StatementWriter(Writer):
         if value and self.chance(0.15):
             value = ['#if', '(', *self.comparison(2), ')', *value, '#else', self.of_kind(result, 1), '#end']
         self.names = outer
-        name = self.fresh()
+        name = self.fixed_name()
         self.names.types[name] = ('macro', [kind for _, kind in parameters], result)
         return Node('stmt', '#macro', name, '(', *comma_list([taken for taken, _ in parameters]), ')', statements, *value,
                     '#end')
 
     def recursive_macro(self) -> Node:
-        name = self.fresh()
+        name = self.fixed_name()
         self.names.types[name] = ('recursive',)
         inner = self.pick([['N', '*', name, '(', 'N', '-', '1', ')'], ['(', name, '(', 'N', '-', '1', ')', '+', 'N', ')'],
                            [name, '(', 'N', '-', '1', ')', '+', name, '(', 'N', '-', '2', ')']])
@@ -269,9 +269,7 @@ class StatementWriter(Writer):
     def function(self) -> Node:
         parameters = self.weighted([(3, []), (2, ['x']), (2, ['x', 'y']), (2, ['Ga', 'Gb']), (1, ['u', 'v', 'x'])])
         body = self.function_value(parameters or ['x', 'y', 'z'], 0)
-        name = self.fresh()
-        if self.names.types.get(name, ('',))[0] == 'function':
-            return self.debug()
+        name = self.fixed_name()
         self.names.types[name] = ('function', len(parameters) or 3)
         head = ['(', *comma_list(parameters), ')'] if parameters else []
         return Node('stmt', self.declaring(), name, '=', 'function', *head, '{', body, '}', *([';'] if self.chance(0.2) else []))
@@ -295,12 +293,12 @@ class StatementWriter(Writer):
             return call(name, *[one() for _ in range(self.names.types[name][1])])
         return self.weighted([
             (8, lambda: Node('g', one(), self.weighted([(3, '+'), (3, '-'), (3, '*'), (1, '/')]), one())),
-            (1, lambda: Node('g', self.pick(['-', '+']), one())), (3, lambda: Node('g', '(', one(), ')')),
+            (1, lambda: Node('g', self.pick(['-', '+']), '(', one(), ')')), (3, lambda: Node('g', '(', one(), ')')),
             (1.5, lambda: Node('g', '(', one(), self.pick(COMPARISONS_IN_FUNCTIONS), one(), ')')),
             (0.5, lambda: Node('g', one(), self.pick(COMPARISONS_IN_FUNCTIONS), one())),
             (4, lambda: call(self.pick(['abs', 'ceil', 'cos', 'degrees', 'floor', 'int', 'radians', 'sin', 'tan', 'atan',
                                         'tanh', 'asinh', 'exp', 'sqrt']), one())),
-            (1, lambda: call(self.pick(['min', 'max']), *[one() for _ in range(1 + self.below(3))])),
+            (1, lambda: call(self.pick(['min', 'max']), *[one() for _ in range(2 + self.below(2))])),
             (1, lambda: call(self.pick(['atan2', 'pow', 'mod']), one(), one())),
             (1, lambda: call('select', *[one() for _ in range(3 + self.below(2))])),
             (0.5, lambda: call(self.pick(['sum', 'prod']), 'i', '1', '3', Node('g', 'i', '*', one()))),
@@ -315,9 +313,7 @@ class StatementWriter(Writer):
 
     def spline(self) -> Node:
         size = self.pick([2, 3, 3, 4])
-        name = self.fresh()
-        if self.names.types.get(name, ('',))[0] in ('function', 'macro'):
-            return self.debug()
+        name = self.fixed_name()
         kind = self.pick([[], ['linear_spline'], ['quadratic_spline'], ['cubic_spline'], ['natural_spline']])
         points = []
         for key in ['0', '1', '2', '3.5', '5'][:1 + self.below(5)]:
@@ -329,7 +325,7 @@ class StatementWriter(Writer):
 
     # ------------------------------------------------------------------------------------ blocks
     def block(self) -> Node:
-        name = self.target(('block',))
+        name = self.fixed_name()
         what = self.weighted([(3, self.shape), (1, self.pigment), (1, self.texture), (1, self.finish), (1, self.transforms)])
         made = what()
         if what == self.transforms:
@@ -338,8 +334,8 @@ class StatementWriter(Writer):
             return Node('stmt', made)
         self.names.types[name] = ('block',)
         shown = []
-        if what == self.shape:
-            shown = [Node('stmt', '#debug', 'concat', '(', '"|"', ',', 'vstr', '(', '3', ',', 'min_extent', '(', name, ')', ',', '","',
+        if what == self.shape and 'cylinder' not in made.tokens():  # abbe's boxes of those are smaller
+            shown = [Node('stmt', '#debug', 'concat', '(', '"|"', ',', 'vstr', '(', '3', ',', self.pick(['min_extent', 'max_extent']), '(', name, ')', '+', '50', ',', '","',
                           ',', '0', ',', '3', ')', ',', '"\\n"', ')')]
         return Node('stmt', Node('stmt', '#declare', name, '=', made, *([';'] if self.chance(0.3) else [])), *shown)
 
@@ -395,12 +391,12 @@ class StatementWriter(Writer):
 
     def noise(self) -> Node:
         return Node('stmt', *self.pick([['#version', '3.7', ';'], ['#version', 'version', ';'], ['#version', '3.6', ';'],
-                                        ['#render', '"r"'], ['#statistics', '"s"'], ['#warning', '"w"']]))
+                                        ['#render', '"|r\\n"'], ['#statistics', '"|s\\n"'], ['#warning', '"w"']]))
 
     # ------------------------------------------------------------------------------------ the scene
     def scene(self) -> Node:
         root = Node('any', Node('stmt', '#version', '3.7', ';'))
-        for _ in range(2 + self.below(9)):
+        for _ in range(2 + self.below(6)):
             root.parts.append(self.statement())
         root.parts += [self.debug(), self.debug_all()]
         if self.chance(0.2):

@@ -102,6 +102,14 @@ def replaced(node: Node, path: tuple, by) -> Node:
     return copy
 
 
+def without(root: Node, statements: list) -> Node:
+    """A copy without these, which are in the order of the text."""
+    for path in reversed(statements):
+        if not any(path[:len(other)] == other for other in statements if len(other) < len(path)):
+            root = replaced(root, path, None)
+    return root
+
+
 def inner_of_kind(node: Node, kind: str) -> list:
     found = []
     for part in node.parts:
@@ -111,14 +119,13 @@ def inner_of_kind(node: Node, kind: str) -> list:
 
 
 def smaller_trees(root: Node) -> list:
-    """Scenes with one statement less, then with one expression made smaller."""
+    """Scenes with fewer statements, then with one expression made smaller."""
     all_paths = paths(root)
-    found, count = [], len(root.parts)
-    if count > 4:
-        half = count // 2
-        for low, high in ((1, half), (half, count), (1, half // 2 + 1), (half // 2 + 1, half), (half, half + half // 2)):
-            found.append(Node(root.kind, *root.parts[:low], *root.parts[high:]))
-    found += [replaced(root, path, None) for path in all_paths if at_path(root, path).kind == 'stmt']
+    statements = sorted(path for path in all_paths if at_path(root, path).kind == 'stmt')
+    found, size = [], len(statements) // 2
+    while size:
+        found += [without(root, statements[at:at + size]) for at in range(0, len(statements), size)]
+        size //= 2
     for path in all_paths:
         node = at_path(root, path)
         if node.kind == 'stmt':

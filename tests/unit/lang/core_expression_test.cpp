@@ -72,6 +72,27 @@ TEST(Expression, StringFunctions) {
             "2000-01-01 00:00:00Z|2013-09-09 12:00:00");
 }
 
+// POV-Ray 3.7's values.
+TEST(Expression, CharactersOfStrings) {
+  EXPECT_EQ(
+      said("#macro C(A,B) concat(str(strcmp(A,B),0,0),\" \") #end #debug concat(C(\"ab\",\"abc\"),"
+           "C(\"abc\",\"ab\"),C(\"\",\"z\"),C(\"\\u00e9\",\"a\"),C(\"aZ\",\"b\"),C(\"a\",\"a\"))"),
+      "-99 99 -122 136 -1 0 ");
+  EXPECT_EQ(
+      said("#debug concat(str(strlen(\"\\u00e9x\"),0,0),\" \",substr(\"\\u20acxyz\",2,2),\" \","
+           "str(asc(\"\\u20ac\"),0,0),\" \",str(strlen(chr(300)),0,0),\" \",str(asc(\"\"),0,0))"),
+      "2 xy 8364 1 0");
+}
+
+TEST(Expression, ComponentsMayBeInfinite) {
+  EXPECT_EQ(said("#declare V = <1, pow(0, -1)>; #debug str(V.y,0,1)"), "inf");
+}
+
+TEST(Expression, WhereFunctionsAreNotDefined) {
+  EXPECT_NE(said("#declare A = atan2(0, 0);").find("E0306"), std::string::npos);
+  EXPECT_NE(said("#declare F = function(x) { min(x) }").find("E0318"), std::string::npos);
+}
+
 TEST(Expression, ColoursKeepWhatTheyAre) {
   EXPECT_EQ(said("#declare C=rgb<1,2,3>; #declare R=C.red; #debug str(R,0,1)"), "1.0");
   EXPECT_EQ(said("#declare C=color red .5 filter .25; #debug vstr(5,C,\",\",0,2)"),
