@@ -33,6 +33,11 @@ struct SceneState {
   int cameras = 0;          ///< seen at the top level, for the warning about a second one
   /// Glasses of AGF files (`glass_catalog`), in the order read.
   std::vector<std::shared_ptr<optics::Glass const>> file_glasses;
+  /// Glasses that a file names and that could not be made, with the reason.
+  struct LostGlass {
+    std::string maker, name, reason;
+  };
+  std::vector<LostGlass> lost_glasses;
   /// Entries of the catalogue that were named, so that each is parsed once.
   std::map<std::string, std::shared_ptr<optics::Glass const>, std::less<>> named_glasses;
   std::optional<optics::DataLibrary> glass_library, spectra_library; ///< once something is named
@@ -131,6 +136,8 @@ std::shared_ptr<optics::Glass const> read_glass(Reader&);
 /// `"N-BK7"`, `"SCHOTT/N-BK7"`: out of the AGF files read and the catalogue. Reports unknown names
 /// (E0410, with the nearest) and ambiguous ones (E0411, with the makers) and returns null.
 std::shared_ptr<optics::Glass const> named_glass(Reader&, std::string const& name, Span);
+/// When a name of the catalogue without quotes is next (`N-BK7`): reports and skips it.
+bool reject_unquoted_glass(Reader&);
 /// What follows `glass_catalog`: reads an AGF file and makes its glasses nameable.
 void read_glass_catalog(Reader&);
 // light.cpp, camera.cpp, settings.cpp, sky.cpp

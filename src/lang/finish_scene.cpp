@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace abbe::lang {
@@ -36,12 +38,32 @@ private:
     for (double const lambda_nm : {wanted.low_nm, wanted.high_nm}) {
       auto const index = interior.glass->index(lambda_nm);
       if (index) continue;
-      in_.report(Severity::Error, index.error().code, index.error().message, interior.span);
+      in_.report(Severity::Error, index.error().code,
+                 index.error().message + remedy(*interior.glass, none), interior.span);
       return;
     }
     // Inside its range the catalogue is checked; a formula of the scene may have a pole anywhere.
     if (auto error = interior.glass->check_range(wanted.low_nm, wanted.high_nm))
       in_.report(Severity::Error, error->code, error->message, interior.span);
+  }
+
+  /// What to do about a glass that does not cover the scene's range of wavelengths.
+  std::string remedy(optics::Glass const& glass, bool none) const {
+    auto const range = glass.range_nm();
+    constexpr double hardly_nm = 1e5; // no wavelength that a glass is given for
+    if (range.lo_nm >= hardly_nm) return ": wavelengths of a glass are in um, are these nm?";
+    double const lo = std::ceil(std::max(range.lo_nm, wanted_.low_nm));
+    double const hi = std::floor(std::min(range.hi_nm, wanted_.high_nm));
+    if (none) return "";
+    if (lo >= hi) return "; with dispersion { none } it only needs the d line";
+    std::string text = fmt::format(
+        "; narrow the scene's range, global_settings {{ spectral {{ range {}, {} }} }}", lo, hi);
+    if (glass.maker().empty())
+      text += fmt::format(", widen the glass's where its data holds, glass {{ ... range {:.6g}, "
+                          "{:.6g} }}",
+                          std::min(range.lo_nm, wanted_.low_nm) / 1000,
+                          std::max(range.hi_nm, wanted_.high_nm) / 1000);
+    return text + ", or use dispersion { none }";
   }
 
   Reader& in_;

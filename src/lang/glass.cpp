@@ -106,8 +106,16 @@ bool read_remarks(Reader& in, GlassBuilder& builder, double& nd, double& vd) {
   return true;
 }
 
-/// The content of a glass that is given by data. Errors are reported; then a placeholder.
-GlassPtr read_definition(Reader& in, GlassBuilder builder, Span at) {
+GlassPtr find_in_files(SceneState const& state, std::string_view name) {
+  // The last one read wins, as with #declare.
+  for (auto i = state.file_glasses.rbegin(); i != state.file_glasses.rend(); ++i)
+    if ((*i)->full_name() == name || (*i)->name() == name) return *i;
+  return nullptr;
+}
+
+/// The content of a glass that is given by data. Errors are reported; then a placeholder. What is
+/// doubtful gets a warning unless it comes out of the catalogue.
+GlassPtr read_definition(Reader& in, GlassBuilder builder, Span at, bool catalogued) {
   double nd = std::numeric_limits<double>::quiet_NaN();
   double vd = nd;
   bool rejected = false;
@@ -117,13 +125,18 @@ GlassPtr read_definition(Reader& in, GlassBuilder builder, Span at) {
       builder.range_um(lo_um, in.number("upper end of the range in um"));
     } else if (!read_model(in, builder) && !read_absorption(in, builder)
                && !read_remarks(in, builder, nd, vd)) {
-      reject(in, "a glass item");
+      if (!reject_unquoted_glass(in)) reject(in, "a glass item");
       rejected = true;
     }
   }
   builder.printed(nd, vd);
   auto glass = builder.build();
-  if (glass) return *glass;
+  if (glass) {
+    if (!catalogued)
+      for (auto const& doubt : builder.doubts(**glass))
+        in.report(Severity::Warning, "E0423", doubt, at);
+    return *glass;
+  }
   if (rejected) return placeholder(); // what was meant is not known
   in.report(Severity::Error, glass.error().code, glass.error().message, at);
   return placeholder();
@@ -141,11 +154,15 @@ GlassPtr read_changes(Reader& in, GlassPtr glass) {
   return glass;
 }
 
-GlassPtr find_in_files(SceneState const& state, std::string_view name) {
-  // The last one read wins, as with #declare.
-  for (auto i = state.file_glasses.rbegin(); i != state.file_glasses.rend(); ++i)
-    if ((*i)->full_name() == name || (*i)->name() == name) return *i;
-  return nullptr;
+/// Reports a glass that a file names and that could not be made: another of the same name is not
+/// what was meant.
+bool report_lost(Reader& in, std::string_view name, Span at) {
+  for (auto const& lost : scene_state(in.interpreter()).lost_glasses) {
+    if (name != lost.name && name != lost.maker + "/" + lost.name) continue;
+    in.report(Severity::Error, "E0414", lost.reason, at);
+    return true;
+  }
+  return false;
 }
 
 /// Parses an entry of the catalogue: `glass_entry "SCHOTT/N-BK7" { ... }`.
@@ -159,7 +176,7 @@ GlassPtr read_entry(Reader& in, optics::DataEntry const& entry) {
     GlassBuilder builder(slash == std::string::npos ? full_name : full_name.substr(slash + 1));
     if (slash != std::string::npos) builder.maker(full_name.substr(0, slash));
     if (!open_headless(slice)) return slice.unexpected("the glass catalogue");
-    glass = read_definition(slice, std::move(builder), at);
+    glass = read_definition(slice, std::move(builder), at, true);
     slice.close();
   });
   return glass;
@@ -167,9 +184,30 @@ GlassPtr read_entry(Reader& in, optics::DataEntry const& entry) {
 
 } // namespace
 
+bool reject_unquoted_glass(Reader& in) {
+  if (in.next() != Next::Word && in.next() != Next::Numeric) return false;
+  Span at = in.next_span();
+  if (!at.valid()) return false;
+  std::string_view const text = at.source->text().substr(at.begin);
+  std::string_view const name = text.substr(0, text.find_first_of(" \t\r\n{}()<>,;\""));
+  auto const* library = glass_library(in, at);
+  bool const in_file = find_in_files(scene_state(in.interpreter()), name) != nullptr;
+  std::string_view const meant = in_file ? name : library ? library->meant(name) : "";
+  if (meant.empty()) return false;
+  at.end = at.begin + static_cast<std::uint32_t>(name.size());
+  in.report(Severity::Error, "E0413",
+            fmt::format("a glass of the catalogue is named in quotes: glass {{ \"{}\" }}", meant),
+            at);
+  // The name may be several items: what a term of a formula is to the parser.
+  while (!in.at_end() && in.next_span().source == at.source && in.next_span().begin < at.end)
+    in.skip();
+  return true;
+}
+
 std::shared_ptr<optics::Glass const> named_glass(Reader& in, std::string const& name, Span at) {
   SceneState& state = scene_state(in.interpreter());
   if (auto glass = find_in_files(state, name)) return glass;
+  if (report_lost(in, name, at)) return nullptr;
   if (auto const known = state.named_glasses.find(name); known != state.named_glasses.end())
     return known->second;
   auto const* library = glass_library(in, at);
@@ -198,7 +236,7 @@ std::shared_ptr<optics::Glass const> read_glass(Reader& in) {
   }
   Span const span = in.block_span();
   int const line = span.valid() ? span.source->place(span.begin).line : 0;
-  return read_definition(in, GlassBuilder(fmt::format("unnamed, line {}", line)), span);
+  return read_definition(in, GlassBuilder(fmt::format("unnamed, line {}", line)), span, false);
 }
 
 } // namespace abbe::lang

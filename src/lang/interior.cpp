@@ -48,7 +48,7 @@ bool read_glass_item(Reader& in, Interior& interior) {
     interior.glass = named;
   else if (in.next() == Next::String)
     interior.glass = named_glass(in, in.string("name of a glass"), at);
-  else
+  else if (!reject_unquoted_glass(in))
     in.report(Severity::Error, "E0250", "expected a glass: its name, \"name\" or { ... }", at);
   return true;
 }

@@ -2,13 +2,20 @@
 #include "lang/blocks.hpp"
 #include "lang/libraries.hpp"
 #include "lang/pairs.hpp"
+#include "optics/cie_table.hpp"
 #include "optics/spectra_data.hpp"
+
+#include <fmt/format.h>
 
 namespace abbe::lang {
 
 namespace {
 
+using optics::cie_first_nm, optics::cie_last_nm;
 using optics::Spectrum;
+
+/// Wavelengths of so few nm are no light: um were meant.
+constexpr double hardly_nm = 100;
 
 /// A spectrum or a reported error and white.
 Spectrum checked(Reader& in, Result<Spectrum> spectrum, Span at) {
@@ -53,8 +60,16 @@ Spectrum read_named(Reader& in) {
 
 Spectrum read_form(Reader& in) {
   Span const at = in.next_span();
-  if (in.next() == Next::Bracket)
-    return checked(in, Spectrum::samples(read_pairs(in, "wavelength in nm", "value")), at);
+  if (in.next() == Next::Bracket) {
+    auto rows = read_pairs(in, "wavelength in nm", "value");
+    if (!rows.empty() && (rows.back()[0] < cie_first_nm || rows.front()[0] > cie_last_nm))
+      in.report(Severity::Warning, "E0423",
+                fmt::format("no point of the spectrum is visible light, {} to {} nm{}",
+                            cie_first_nm, cie_last_nm,
+                            rows.back()[0] <= hardly_nm ? ": are its wavelengths in um?" : ""),
+                at);
+    return checked(in, Spectrum::samples(std::move(rows)), at);
+  }
   if (in.accept("blackbody"))
     return checked(in, Spectrum::blackbody(in.number("temperature in kelvin")), at);
   if (in.accept("illuminant")) return read_named_light(in);

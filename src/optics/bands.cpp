@@ -84,8 +84,9 @@ std::string check_request(int n, double lo_nm, double hi_nm) {
   if (n < 1 || n > Bands::max_count)
     return fmt::format("the number of bands must lie in 1..{}, not {}", Bands::max_count, n);
   if (!(lo_nm >= first_nm && hi_nm <= last_nm && lo_nm < hi_nm))
-    return fmt::format("the wavelength range {}..{} nm must lie within {}..{} nm and not be empty",
-                       lo_nm, hi_nm, cie_first_nm, cie_last_nm);
+    return fmt::format(
+        "the wavelength range {}..{} nm must lie within {}..{} nm and not be empty{}", lo_nm, hi_nm,
+        cie_first_nm, cie_last_nm, lo_nm > 0 && hi_nm <= 100 ? ": is it in um?" : "");
   return {};
 }
 

@@ -33,6 +33,18 @@ std::string join(std::vector<std::string_view> const& names) {
   return text;
 }
 
+/// The letters and digits of a name, in lower case.
+std::string squeezed(std::string_view name) {
+  std::string result;
+  for (char const c : name) {
+    if (c >= 'A' && c <= 'Z')
+      result += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      result += c;
+  }
+  return result;
+}
+
 } // namespace
 
 Result<DataLibrary> DataLibrary::open(std::filesystem::path const& folder) {
@@ -94,7 +106,18 @@ Result<DataEntry> DataLibrary::find(std::string_view wanted) const {
   return Error{"E0413", fmt::format("'{}' is ambiguous: say one of {}", wanted, join(matches))};
 }
 
+std::string_view DataLibrary::meant(std::string_view wanted) const {
+  std::string const plain = squeezed(wanted);
+  if (plain.empty()) return {};
+  for (auto const& form : {plain, "n" + plain})
+    for (Row const& row : rows_)
+      for (auto const candidate : {after_maker(name(row)), name(row)})
+        if (squeezed(candidate) == form) return candidate;
+  return {};
+}
+
 Error DataLibrary::unknown(std::string_view wanted) const {
+  std::string_view const same = meant(wanted);
   // Short names and full names are both offered; the nearest short name is what a slip most likely
   // meant.
   std::vector<std::string_view> candidates;
@@ -102,9 +125,10 @@ Error DataLibrary::unknown(std::string_view wanted) const {
     candidates.push_back(name(row));
     if (after_maker(name(row)) != name(row)) candidates.push_back(after_maker(name(row)));
   }
-  return Error{"E0413",
-               fmt::format("there is no '{}' among the {} entries of '{}'{}", wanted, rows_.size(),
-                           folder_.filename().string(), did_you_mean(wanted, candidates))};
+  return Error{"E0413", fmt::format("there is no '{}' among the {} entries of '{}'{}", wanted,
+                                    rows_.size(), folder_.filename().string(),
+                                    same.empty() ? did_you_mean(wanted, candidates)
+                                                 : fmt::format("; did you mean '{}'?", same))};
 }
 
 Result<DataEntry> DataLibrary::read(Row const& row) const {

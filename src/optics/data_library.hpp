@@ -36,6 +36,10 @@ public:
   ///        E0501 the file cannot be read; E0417 the index does not fit the file
   Result<DataEntry> find(std::string_view name) const;
 
+  /// The name that differs from this one in case and signs only, or in the "N-" of newer glasses:
+  /// "N-BK7" for "n-bk7", "NBK7" and "BK7"; "" when there is none.
+  std::string_view meant(std::string_view name) const;
+
   /// All full names (aliases too), sorted.
   std::vector<std::string_view> names() const;
   /// The full names of one maker: what stands before the '/'. Exact, sorted.

@@ -51,10 +51,10 @@ std::optional<Error> Glass::check_range(double lo_nm, double hi_nm) const {
   for (int i = 0; i <= steps; ++i) {
     double const lambda = lo_nm + (hi_nm - lo_nm) * i / steps;
     double const n = index_unchecked(lambda);
-    if (!(std::isfinite(n) && n >= 1))
+    if (!(std::isfinite(n) && n > 0))
       return Error{
           "E0411",
-          fmt::format("the index of glass '{}' would be {:.6g} at {:.6g} nm; it must be at least 1",
+          fmt::format("the index of glass '{}' would be {:.6g} at {:.6g} nm; it must be positive",
                       full_name(), n, lambda)};
   }
   return std::nullopt;

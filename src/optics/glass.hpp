@@ -54,7 +54,7 @@ public:
   /// Where the index data is valid as stated by its source; unlimited for constants and POV-Ray's
   /// model.
   Range range_nm() const { return range_; }
-  /// Is the index finite, at least 1 and free of poles all over [lo, hi]? Range not considered.
+  /// Is the index finite, positive and free of poles all over [lo, hi]? Range not considered.
   /// @error E0411 says where it is not
   std::optional<Error> check_range(double lo_nm, double hi_nm) const;
 

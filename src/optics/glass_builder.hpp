@@ -34,10 +34,14 @@ public:
 
   /// Where the index holds, um. Default: 0.36..0.83 for formulas, the table's extent for samples.
   GlassBuilder& range_um(double lo, double hi);
-  /// Internal transmittance (no reflection losses) of thickness_mm, rows [um, tau]. 0 <= tau <= 1;
-  /// a printed 0 is read as 0.0005, half the last digit of catalogues: "less than 0.001" has no
-  /// logarithm.
-  GlassBuilder& transmittance(double thickness_mm, std::vector<Pair> um_tau);
+  /// Internal transmittance (no reflection losses) of a thickness, 0 <= tau <= 1. A printed 0,
+  /// which has no logarithm, is read as 0.0005, half the last digit of catalogues, but as no more
+  /// than half the smallest value of the table that is not 0.
+  struct Transmittance {
+    double um, tau, mm;
+  };
+  GlassBuilder& transmittance(std::vector<Transmittance> const& rows);
+  GlassBuilder& transmittance(double thickness_mm, std::vector<Pair> const& um_tau);
   /// Extinction coefficient, rows [um, k]: alpha = 4 pi k / lambda.
   GlassBuilder& extinction(std::vector<Pair> um_k);
   /// Drops the absorption given so far.
@@ -47,15 +51,20 @@ public:
   GlassBuilder& status(std::string status);
   GlassBuilder& medium(std::string medium); ///< "air" or "vacuum"
 
-  /// @error E0410 bad or missing definition; E0411 a pole or n < 1 within the range and [360, 830]
-  /// nm
+  /// @error E0410 bad or missing definition; E0411 a pole or no positive index within the range and
+  /// [360, 830] nm
   Result<GlassPtr> build() const;
+  /// What makes a built glass hardly the one that was meant, each with the likely slip: an index
+  /// outside 1..4, a printed nd that is another, coefficients of an unfinished term, absorption
+  /// that is given for no visible wavelength.
+  std::vector<std::string> doubts(Glass const&) const;
 
 private:
   GlassBuilder& model(IndexModel model);
   GlassBuilder& formula_result(Result<GlassFormula> formula);
   GlassBuilder& fail(std::string message);
   GlassBuilder& absorption(std::vector<Pair> nm_per_mm);
+  std::string index_doubt(Glass const&) const;
 
   std::string name_, maker_, status_, medium_ = "air";
   std::optional<IndexModel> model_;
@@ -63,6 +72,8 @@ private:
   std::optional<double> nd_, vd_;
   std::vector<Pair> absorption_;
   std::optional<Error> error_;
+  std::string slip_;       ///< what explains an index that no glass has
+  std::string unfinished_; ///< a term of a formula that lacks coefficients
 };
 
 } // namespace abbe::optics

@@ -60,6 +60,21 @@ Result<GlassFormula> GlassFormula::make(int id, std::vector<double> coefficients
   return GlassFormula(id, std::move(coefficients));
 }
 
+bool GlassFormula::whole(int id, std::size_t coefficients) {
+  switch (id) {
+  case 4:
+    return coefficients == 1 || coefficients == 5 || (coefficients >= 9 && coefficients % 2 == 1);
+  case 7:
+    return true; // each coefficient is a term
+  case 8:
+    return coefficients != 2;
+  case 9:
+    return coefficients == 1 || coefficients == 3 || coefficients == 6;
+  default:
+    return coefficients % 2 == 1; // a constant, then pairs
+  }
+}
+
 double GlassFormula::index(double lambda_nm) const {
   double const w = lambda_nm / 1000;
   double const w2 = w * w;

@@ -25,6 +25,9 @@ public:
   /// @error E0410 unknown formula number, too many coefficients, or one that is not finite
   static Result<GlassFormula> make(int id, std::vector<double> coefficients);
 
+  /// May formula `id` end after so many coefficients, or does a term lack some?
+  static bool whole(int id, std::size_t coefficients);
+
   /// n at a wavelength in nm. Pure arithmetic: extrapolates, and is NaN where n^2 < 0.
   double index(double lambda_nm) const;
   /// Wavelengths in nm at which a term is infinite (terms of weight 0 apart).

@@ -55,6 +55,11 @@ Bands const& whole_range() {
   return bands;
 }
 
+/// Wavelengths of so few nm are no light: um were meant.
+bool in_um(std::vector<Pair> const& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](Pair const& row) { return row[0] <= 100; });
+}
+
 Error bad(std::string message) {
   return Error{"E0415", std::move(message)};
 }
@@ -98,7 +103,10 @@ Result<Spectrum> Spectrum::lines(std::vector<Pair> nm_energy) {
       return bad(fmt::format("a line needs a wavelength and an energy >= 0, not [{}, {}]", line[0],
                              line[1]));
   Spectrum const result(Kind::Lines, 0, std::move(nm_energy));
-  if (!(result.raw_xyz(whole_range()).y > 0)) return bad("none of the lines is visible light");
+  if (!(result.raw_xyz(whole_range()).y > 0))
+    return bad(
+        fmt::format("none of the lines is visible light{}",
+                    in_um(*result.rows_) ? ": are their wavelengths in um, not in nm?" : ""));
   return result;
 }
 

@@ -230,6 +230,17 @@ TEST(GlassCatalogue, FindsAnEntryQuickly) {
   EXPECT_LT(find, 2000); // 50 us of processor time in a release build; sanitizers take tenfold
 }
 
+TEST(DataLibrary, NamesOfOtherCaseAndSignsAreMeant) {
+  for (char const* written : {"n-bk7", "NBK7", "N_BK7", "BK7", "bk 7"})
+    EXPECT_EQ(library().meant(written), "N-BK7") << written;
+  EXPECT_EQ(library().meant("schott/n-sf11"), "SCHOTT/N-SF11");
+  EXPECT_EQ(library().meant("Diamond"), "diamond");
+  EXPECT_EQ(library().meant("N-BK8"), "");
+  EXPECT_EQ(library().meant("-"), "");
+  EXPECT_NE(library().find("n-bk7").error().message.find("did you mean 'N-BK7'?"),
+            std::string::npos);
+}
+
 TEST(DataLibrary, DamageIsReported) {
   auto const dir = std::filesystem::temp_directory_path()
                    / fmt::format("abbe_library_{}", static_cast<void const*>(&library()));

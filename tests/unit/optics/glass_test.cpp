@@ -126,6 +126,49 @@ TEST(Glass, TransmittanceIsReproducedAtAnyThickness) {
   EXPECT_EQ(glass->without_absorption()->absorption_per_mm(400), 0);
 }
 
+TEST(Glass, TransmittancesOfFiltersAreWhatTheySay) {
+  // 10^-30 of 10 mm: 10^-3 of 1 mm
+  auto const filter = *bk7().transmittance(10, {{0.4, 1e-30}, {0.7, 0.9}}).build();
+  EXPECT_NEAR(std::exp(-filter->absorption_per_mm(400)), 1e-3, 1e-15);
+  auto const printed_zero = *bk7().transmittance(10, {{0.4, 0}, {0.7, 0.9}}).build();
+  EXPECT_NEAR(std::exp(-10 * printed_zero->absorption_per_mm(400)), 0.0005, 1e-15);
+  auto const darker = *bk7().transmittance(10, {{0.4, 0}, {0.5, 1e-6}, {0.7, 0.9}}).build();
+  EXPECT_NEAR(std::exp(-10 * darker->absorption_per_mm(400)), 5e-7, 1e-18);
+}
+
+TEST(Glass, SlipsAreDoubted) {
+  auto const doubts = [](GlassBuilder const& b) {
+    std::string all;
+    for (auto const& doubt : b.doubts(**b.build())) all += doubt + "\n";
+    return all;
+  };
+  GlassBuilder const x("x");
+  EXPECT_EQ(doubts(bk7()), "");
+  EXPECT_EQ(doubts(bk7().printed(1.5168, 64.17)), "");
+  EXPECT_EQ(doubts(GlassBuilder(x).abbe(64.17, 1.5168)),
+            "the index of glass 'x' is 64.17 at 587.562 nm; no glass lies outside 1..4: are nd and "
+            "Vd swapped?\n");
+  EXPECT_NE(doubts(GlassBuilder(x).cauchy(std::vector{1.5, 4200.0})).find("are they in nm^2"),
+            std::string::npos);
+  std::vector<double> const c_nm2{6000.69867, 20017.9144, 103560653};
+  EXPECT_NE(doubts(GlassBuilder(x).sellmeier(bk7_b, c_nm2)).find("is it in nm^2?"),
+            std::string::npos);
+  EXPECT_NE(doubts(GlassBuilder(x).formula(4, {0, 6.04, 2, 44.444, 2, -4088.9, 0, 44.444}))
+                .find("formula 4 does not end after 8 coefficients"),
+            std::string::npos);
+  EXPECT_EQ(doubts(GlassBuilder(x).formula(5, {0.99})),
+            "the index of glass 'x' is 0.99 at 587.562 nm; no glass lies outside 1..4\n");
+  EXPECT_NE(doubts(bk7().printed(1.6, 64)).find("its nd says 1.6"), std::string::npos);
+  EXPECT_NE(doubts(bk7().transmittance(10, {{400, 0.1}, {700, 0.99}})).find("are these nm?"),
+            std::string::npos);
+  EXPECT_NE(doubts(bk7().extinction({{1, 1e-8}, {2, 1e-7}})).find("no visible wavelength"),
+            std::string::npos);
+  // Germanium is opaque and far denser in the visible, of which its data says nothing.
+  EXPECT_EQ(doubts(GlassBuilder(x).formula(5, {4.0}).range_um(2, 14).extinction({{3, 0}})), "");
+  // POV-Ray takes any ior.
+  EXPECT_EQ(doubts(GlassBuilder(x).pov(24, 1)), "");
+}
+
 TEST(Glass, ExtinctionGivesTheAbsorptionOfTheDataFilesExample) {
   auto const glass = *bk7().extinction({{0.4, 1e-8}, {0.5, 0}}).build();
   // exp(-4 pi k L / lambda) with L = 10 mm = 1e4 um
@@ -157,7 +200,7 @@ TEST(Glass, RefusesNonsense) {
   // A pole at 500 nm, then n^2 < 0 without a pole, then n < 1.
   EXPECT_EQ(code(GlassBuilder("x").formula(2, {0, 1, 0.25})), "E0411");
   EXPECT_EQ(code(GlassBuilder("x").formula(3, {-1})), "E0411");
-  EXPECT_EQ(code(GlassBuilder("x").formula(5, {0.99})), "E0411");
+  EXPECT_EQ(code(GlassBuilder("x").formula(5, {-0.99})), "E0411");
 }
 
 } // namespace
