@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/scene_arguments.hpp"
 #include "grammar/parse.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 
 /// check and dump: what abbe makes of a scene, without a picture.
 namespace abbe::cli {
 namespace {
 
-/// The text of a file, for the dumps that need no evaluation.
-std::optional<std::string> read_text(std::string const& path) {
-  std::error_code failed;
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, failed) || !file) {
-    fmt::print(stderr, "abbe dump: error[E0501]: cannot read the file '{}'\n", path);
-    return std::nullopt;
-  }
-  std::ostringstream text;
-  text << file.rdbuf(); // fails for an empty file, which is a scene too
-  return std::move(text).str();
-}
-
 int dump_syntax(std::string const& path, bool tokens) {
-  auto text = read_text(path);
-  if (!text) return 3;
+  auto file = read_file(path);
+  if (!file) {
+    fmt::print(stderr, "abbe dump: error[E0501]: cannot read the file '{}': {}\n", path,
+               file.error().message);
+    return 3;
+  }
   SourceSet sources;
-  SourceFile const& source = sources.add(path, std::move(*text));
+  SourceFile const& source = sources.add(path, std::move(file->text));
   if (tokens) {
     fmt::print("{}", dump_tokens(source));
     return 0;

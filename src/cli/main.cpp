@@ -2,6 +2,7 @@
 #include "base/diagnostic.hpp"
 #include "base/heap.hpp"
 #include "cli/commands.hpp"
+#include "cli/hints.hpp"
 
 #include <array>
 #include <csignal>
@@ -70,7 +71,9 @@ int run(int argc, char** argv) {
     names[i] = commands[i].name;
     if (names[i] == name) return commands[i].run(argc - 1, argv + 1);
   }
-  fmt::print(stderr, "abbe: unknown command '{}'{}\n\n", name, abbe::did_you_mean(name, names));
+  std::string const hint = abbe::cli::hint_of_command(name);
+  fmt::print(stderr, "abbe: unknown command '{}'{}\n\n", name,
+             hint.empty() ? abbe::did_you_mean(name, names) : hint);
   print_usage(stderr);
   return 2;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_arguments.hpp"
 
+#include "cli/hints.hpp"
 #include "grammar/keywords.hpp"
 #include "image/atomic_file.hpp"
 
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <glob.h>
 #include <unistd.h>
 
 namespace abbe::cli {
@@ -72,6 +74,21 @@ std::filesystem::path stdlib_dir() {
   return ABBE_STDLIB_DIR;
 }
 
+std::filesystem::path povray_dir() {
+  if (char const* named = std::getenv("ABBE_POVRAY_INCLUDE")) return named;
+  // glob sorts: the last one is the newest.
+  for (char const* pattern :
+       {"/usr/local/share/povray*/include/colors.inc", "/usr/share/povray*/include/colors.inc"}) {
+    glob_t found{};
+    std::filesystem::path folder;
+    if (glob(pattern, 0, nullptr, &found) == 0)
+      folder = std::filesystem::path(found.gl_pathv[found.gl_pathc - 1]).parent_path();
+    globfree(&found);
+    if (!folder.empty()) return folder;
+  }
+  return {};
+}
+
 void SceneArguments::add_to(CLI::App& app, bool with_plan) {
   app.set_help_flag("--help", "print this help and exit"); // -H is the height
   app.add_option("SCENE", scene, "the scene file (.scn, .pov)")->required();
@@ -86,6 +103,9 @@ void SceneArguments::add_to(CLI::App& app, bool with_plan) {
       ->check(check_declaration)
       ->allow_extra_args(false);
   app.add_option("-I,--include", include_dirs, "search here for includes too")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app.add_option("--allow-read", read_dirs, "let the scene read files below this folder too")
       ->type_name("DIR")
       ->allow_extra_args(false);
   app.add_flag("--allow-write", allow_write, "let the scene write files (#fopen ... write)");
@@ -111,7 +131,11 @@ int parse_arguments(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& stop) {
-    return app.exit(stop) == 0 ? 0 : 2;
+    if (app.exit(stop) == 0) return 0;
+    for (int i = 1; i < argc; ++i)
+      if (auto const hint = hint_of_word(argv[i]); !hint.empty())
+        fmt::print(stderr, "{}: {}\n", app.get_name(), hint);
+    return 2;
   }
   return -1;
 }
@@ -139,6 +163,8 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   catch_interrupts();
   lang::EvaluateOptions options;
   options.stdlib_dir = stdlib_dir();
+  options.povray_dir = povray_dir();
+  for (auto const& dir : arguments.read_dirs) options.read_dirs.emplace_back(dir);
   for (auto const& dir : arguments.include_dirs) options.include_dirs.emplace_back(dir);
   for (auto const& text : arguments.declarations) {
     auto const equals = text.find('=');
@@ -156,6 +182,12 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
     fmt::print(stderr, "{}\n", format(diagnostic));
     if (diagnostic.severity == Severity::Error) ++errors;
   }
+  if (evaluated.unreadable)
+    if (auto const hint = hint_of_word(arguments.scene); !hint.empty())
+      fmt::print(stderr, "abbe: {}\n", hint);
+  if (evaluated.ok())
+    if (auto const warning = nothing_to_see(evaluated.scene); !warning.empty())
+      fmt::print(stderr, "{}: warning[E0256]: {}\n", arguments.scene, warning);
   if (evaluated.interrupted) {
     status = 130;
     return nullptr;

@@ -19,6 +19,7 @@ struct SceneArguments {
   int height = 480;
   std::vector<std::string> declarations; ///< -D NAME=VALUE
   std::vector<std::string> include_dirs;
+  std::vector<std::string> read_dirs; ///< --allow-read
   bool allow_write = false;
   bool quiet = false;
   std::optional<int> bands;
@@ -50,6 +51,10 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
 
 /// Where abbe's own includes and catalogues are: $ABBE_STDLIB, else where it was built.
 std::filesystem::path stdlib_dir();
+
+/// The include files that came with POV-Ray: $ABBE_POVRAY_INCLUDE, else those of the newest POV-Ray
+/// that is installed. Empty: there are none.
+std::filesystem::path povray_dir();
 
 /// Ctrl-C and SIGTERM set interrupted() from now on. load_scene does it.
 void catch_interrupts();

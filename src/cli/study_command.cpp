@@ -121,6 +121,8 @@ int run(Arguments& arguments, std::string const& command) {
     options.scene_words.insert(options.scene_words.end(), {"-D", declaration});
   for (auto const& dir : scene.include_dirs)
     options.scene_words.insert(options.scene_words.end(), {"-I", dir});
+  for (auto const& dir : scene.read_dirs)
+    options.scene_words.insert(options.scene_words.end(), {"--allow-read", dir});
   if (scene.allow_write) options.scene_words.push_back("--allow-write");
   if (arguments.threads > 0)
     options.scene_words.insert(options.scene_words.end(),

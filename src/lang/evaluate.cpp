@@ -2,6 +2,7 @@
 #include "lang/evaluate.hpp"
 
 #include "base/heap.hpp"
+#include "base/read_file.hpp"
 #include "lang/interpreter.hpp"
 
 #include <algorithm>
@@ -104,19 +105,20 @@ bool Evaluated::ok() const {
 }
 
 Evaluated evaluate_file(std::filesystem::path const& path, EvaluateOptions const& options) {
-  auto text = FileText::read(path);
-  if (!text) {
+  auto file = read_file(path);
+  if (!file) {
     Evaluated result;
     result.sources = std::make_unique<SourceSet>();
     result.unreadable = true;
-    result.diagnostics.push_back({"E0501",
-                                  Severity::Error,
-                                  {},
-                                  fmt::format("cannot read the file '{}'", path.generic_string()),
-                                  {}});
+    result.diagnostics.push_back(
+        {"E0501",
+         Severity::Error,
+         {},
+         fmt::format("cannot read the file '{}': {}", path.generic_string(), file.error().message),
+         {}});
     return result;
   }
-  return evaluate(path.generic_string(), std::move(*text), path.parent_path(), options);
+  return evaluate(path.generic_string(), std::move(file->text), path.parent_path(), options);
 }
 
 Evaluated evaluate_text(std::string name, std::string text, EvaluateOptions const& options) {

@@ -18,7 +18,9 @@ namespace abbe::lang {
 
 struct EvaluateOptions {
   std::filesystem::path stdlib_dir;
+  std::filesystem::path povray_dir;                              ///< POV-Ray's includes, or none
   std::vector<std::filesystem::path> include_dirs;               ///< -I
+  std::vector<std::filesystem::path> read_dirs;                  ///< --allow-read
   std::vector<std::pair<std::string, std::string>> declarations; ///< -D name=value
   int image_width = 640;
   int image_height = 480;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lang/files.hpp"
 
+#include "base/read_file.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/known_names.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <tuple>
 
 namespace abbe::lang {
 namespace {
@@ -28,34 +31,57 @@ bool write_whole(fs::path const& path, std::string const& text) {
   return false;
 }
 
-/// Is `path` in `folder` or below, once all links and dots are resolved?
-bool below(fs::path const& path, fs::path const& folder) {
+fs::path resolved(fs::path const& path) {
   std::error_code failed;
-  fs::path const whole = fs::weakly_canonical(fs::absolute(path), failed);
-  fs::path const root = fs::weakly_canonical(fs::absolute(folder), failed);
-  if (failed) return false;
-  auto const parts = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
-  return parts.first == root.end()
-         || (parts.first->empty() && std::next(parts.first) == root.end());
+  fs::path const whole = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), failed);
+  return failed ? fs::path() : whole;
+}
+
+/// Is `path` in `folder` or below? Both are resolved.
+bool below(fs::path const& path, fs::path const& folder) {
+  if (folder.empty() || path.empty()) return false;
+  auto const parts = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return parts.first == folder.end()
+         || (parts.first->empty() && std::next(parts.first) == folder.end());
+}
+
+std::string shown(fs::path const& folder) {
+  return folder.empty() ? "." : folder.generic_string();
 }
 
 } // namespace
 
 std::vector<fs::path> Files::folders(SourceFile const* from) const {
   std::vector<fs::path> all;
-  auto const origin = origins_.find(from);
-  if (origin != origins_.end()) all.push_back(origin->second);
-  if (all.empty() || all.front() != scene_folder_) all.push_back(scene_folder_);
+  auto const add = [&](fs::path const& folder) {
+    if (std::none_of(all.begin(), all.end(),
+                     [&](fs::path const& known) { return shown(known) == shown(folder); }))
+      all.push_back(folder);
+  };
+  if (auto const origin = origins_.find(from); origin != origins_.end()) add(origin->second);
+  add(scene_folder_);
+  add("");
   auto const& options = in_.options();
-  all.insert(all.end(), options.include_dirs.begin(), options.include_dirs.end());
-  if (!options.stdlib_dir.empty()) all.push_back(options.stdlib_dir);
+  for (fs::path const& folder : options.include_dirs) add(folder);
+  if (!options.stdlib_dir.empty()) add(options.stdlib_dir);
+  if (!options.povray_dir.empty()) add(options.povray_dir);
   return all;
 }
 
-bool Files::allowed(fs::path const& path, SourceFile const* from) const {
-  auto const roots = folders(from);
-  return std::any_of(roots.begin(), roots.end(),
-                     [&](fs::path const& root) { return below(path, root.empty() ? "." : root); });
+std::optional<Error> Files::forbidden(std::string_view name, fs::path const& place) const {
+  if (!roots_) {
+    roots_.emplace();
+    for (fs::path const& folder : folders(nullptr)) roots_->push_back(resolved(folder));
+    for (fs::path const& folder : in_.options().read_dirs) roots_->push_back(resolved(folder));
+  }
+  if (std::any_of(roots_->begin(), roots_->end(),
+                  [&](fs::path const& root) { return below(place, root); }))
+    return std::nullopt;
+  return Error{"E0502",
+               fmt::format("'{}' lies outside the folders that a scene may read: its own, the "
+                           "working directory, those of -I and the libraries; allow it with "
+                           "--allow-read {}",
+                           name, place.parent_path().generic_string())};
 }
 
 Files::Written* Files::find_written(std::string_view name) {
@@ -68,49 +94,78 @@ Result<Files::Found> Files::load(std::string_view name, SourceFile const* from) 
     written->read_back = true;
     return Found{fs::path(name), written->text};
   }
+  if (name.empty()) return Error{"E0501", "the name of the file is empty"};
   std::string searched;
   for (fs::path const& folder : folders(from)) {
     fs::path const path = folder / fs::path(name);
-    if (auto text = FileText::read(path)) return Found{path, std::move(*text)};
-    if (fs::path(name).is_absolute()) break;
-    searched += fmt::format("{}'{}'", searched.empty() ? "" : ", ",
-                            folder.empty() ? "." : folder.generic_string());
+    auto file = read_file(path);
+    if (file) {
+      if (auto error = forbidden(name, file->place)) return *error;
+      return Found{path, std::move(file->text)};
+    }
+    std::error_code failed;
+    if (fs::path(name).is_absolute() || fs::exists(path, failed) || failed) {
+      // Nobody is to learn what lies outside.
+      if (auto error = forbidden(name, resolved(path))) return *error;
+      return Error{"E0501", fmt::format("cannot read the file '{}': {}", path.generic_string(),
+                                        file.error().message)};
+    }
+    searched += fmt::format("{}'{}'", searched.empty() ? "" : ", ", shown(folder));
   }
-  if (searched.empty()) return Error{"E0501", fmt::format("cannot read the file '{}'", name)};
   return Error{"E0501", fmt::format("cannot find the file '{}' in {}", name, searched)};
 }
 
 bool Files::exists(std::string_view name, SourceFile const* from) {
   if (find_written(name)) return true;
   std::error_code failed;
-  for (fs::path const& folder : folders(from))
-    if (fs::is_regular_file(folder / fs::path(name), failed)) return true;
+  for (fs::path const& folder : folders(from)) {
+    fs::path const path = folder / fs::path(name);
+    if (fs::is_regular_file(path, failed)) return !forbidden(name, resolved(path));
+  }
   return false;
 }
 
-SourceFile const* Files::include(std::string_view name, Span span) {
+SourceFile const* Files::source_of(Found&& found) {
+  SourceFile const*& known = included_[found.path];
+  if (!known || known->text() != found.text.view()) {
+    known = &in_.add_source(found.path.generic_string(), std::move(found.text));
+    origins_[known] = found.path.parent_path();
+  }
+  return known;
+}
+
+std::vector<SourceFile const*> Files::include(std::string_view name, Span span) {
   auto found = load(name, span.source);
   if (!found) {
     in_.error(found.error().code, found.error().message, span);
-    return nullptr;
+    return {};
   }
-  SourceFile const*& known = included_[found->path];
-  if (!known || known->text() != found->text.view()) {
-    known = &in_.add_source(found->path.generic_string(), std::move(found->text));
-    origins_[known] = found->path.parent_path();
+  std::vector<SourceFile const*> sources;
+  auto const& [stdlib, povray] = std::tie(in_.options().stdlib_dir, in_.options().povray_dir);
+  if (!stdlib.empty() && !povray.empty() && found->path == stdlib / fs::path(name)) {
+    fs::path const path = povray / fs::path(name);
+    if (auto text = FileText::read(path)) sources.push_back(source_of({path, std::move(*text)}));
   }
-  return known;
+  sources.push_back(source_of(std::move(*found)));
+  return sources;
+}
+
+std::string Files::include_hint(std::string_view name) const {
+  std::vector<std::string> files;
+  for (auto const& file :
+       declaring_files(name, {in_.options().stdlib_dir, in_.options().povray_dir}))
+    if (std::none_of(included_.begin(), included_.end(),
+                     [&](auto const& known) { return known.first.filename() == file; }))
+      files.push_back(file);
+  if (files.empty()) return {};
+  if (files.size() == 1)
+    return fmt::format("; {} declares it: #include \"{}\"", files[0], files[0]);
+  return fmt::format("; {} declare it: #include one of them", fmt::join(files, ", "));
 }
 
 Result<std::shared_ptr<FileValue>> Files::open_read(std::string_view name, SourceFile const* from) {
   auto found = load(name, from);
   if (!found) return found.error();
-  if (!find_written(name) && !allowed(found->path, from))
-    return Error{
-        "E0502",
-        fmt::format("'{}' lies outside the folders that a scene may read: its own, those of "
-                    "-I and the standard library",
-                    name)};
   auto file = std::make_shared<FileValue>();
   file->path = found->path;
   file->text = std::move(found->text).take();
@@ -120,7 +175,8 @@ Result<std::shared_ptr<FileValue>> Files::open_read(std::string_view name, Sourc
 Result<std::shared_ptr<FileValue>> Files::open_write(std::string_view name, bool append,
                                                      Span span) {
   fs::path const path = (scene_folder_ / fs::path(name)).lexically_normal();
-  if (fs::path(name).is_absolute() || !below(path, scene_folder_.empty() ? "." : scene_folder_))
+  if (name.empty()) return Error{"E0504", "the name of the file is empty"};
+  if (fs::path(name).is_absolute() || !below(resolved(path), resolved(scene_folder_)))
     return Error{"E0503", fmt::format("'{}' lies outside the scene's folder: not written", name)};
   Written& written = written_[path];
   if (!written.opened_at.valid()) {

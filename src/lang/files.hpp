@@ -50,9 +50,10 @@ std::string write_binary(double, BinaryForm);
 
 /// The files that a run touches.
 ///
-/// Looked for: in the folder of the file that names them, the scene's folder, the -I folders, the
-/// standard library, in this order. `#include` and images may name any file; `#fopen` reads only
-/// below these folders.
+/// Looked for: in the folder of the file that names them, the scene's folder, the working
+/// directory, the -I folders, the standard library, POV-Ray's includes, in this order. Whatever a
+/// scene names is read only below these folders and those of --allow-read, links resolved: nothing
+/// else of the machine can get into a picture or a message.
 ///
 /// Written files stay in memory until the end of the run, where later `#include`s and `#fopen`s
 /// find them. Then they go to the disk if `allow_write` is set. Else a file that was only written
@@ -66,11 +67,18 @@ public:
     std::filesystem::path path;
     FileText text;
   };
+  /// @error E0501 not found or not readable, E0502 outside the folders that may be read
   Result<Found> load(std::string_view name, SourceFile const* from);
   bool exists(std::string_view name, SourceFile const* from);
 
-  /// The source of an include file; read and registered once as long as it does not change.
-  SourceFile const* include(std::string_view name, Span);
+  /// The sources to read for an #include, in this order; none after an error, which is reported. Of
+  /// a name that the standard library and POV-Ray's includes both have these are POV-Ray's and the
+  /// library's: a scene finds the declarations of both, and where they differ the library's. A
+  /// source is read and registered once as long as it does not change.
+  std::vector<SourceFile const*> include(std::string_view name, Span);
+  /// `; colors.inc declares it: #include "colors.inc"` when a file of the standard library or of
+  /// POV-Ray's includes that was not included declares the name, else "".
+  std::string include_hint(std::string_view name) const;
 
   Result<std::shared_ptr<FileValue>> open_read(std::string_view name, SourceFile const* from);
   Result<std::shared_ptr<FileValue>> open_write(std::string_view name, bool append, Span);
@@ -91,7 +99,8 @@ private:
     bool read_back = false;
   };
   std::vector<std::filesystem::path> folders(SourceFile const* from) const;
-  bool allowed(std::filesystem::path const& path, SourceFile const* from) const;
+  std::optional<Error> forbidden(std::string_view name, std::filesystem::path const& place) const;
+  SourceFile const* source_of(Found&&);
   Written* find_written(std::string_view name);
 
   Interpreter& in_;
@@ -99,6 +108,7 @@ private:
   std::map<SourceFile const*, std::filesystem::path> origins_;
   std::map<std::filesystem::path, SourceFile const*> included_;
   std::map<std::filesystem::path, Written> written_;
+  mutable std::optional<std::vector<std::filesystem::path>> roots_; ///< that may be read, resolved
 };
 
 } // namespace abbe::lang

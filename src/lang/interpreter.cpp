@@ -92,9 +92,10 @@ void Interpreter::check_limits(Span span) {
 }
 
 std::string Interpreter::suggestion(std::string_view name,
-                                    std::vector<std::string_view> others) const {
-  auto const declared = scope.declared();
-  others.insert(others.end(), declared.begin(), declared.end());
+                                    std::vector<std::string_view> const& nearer) const {
+  if (auto hint = files.include_hint(name); !hint.empty()) return hint;
+  if (auto hint = did_you_mean(name, nearer); !hint.empty()) return hint;
+  auto others = scope.declared();
   for (auto const& kind : block_kinds()) others.push_back(kind.head);
   for (auto const& function : builtins()) others.push_back(function.name);
   return did_you_mean(name, others);

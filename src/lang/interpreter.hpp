@@ -87,8 +87,11 @@ public:
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
   int error_count() const { return errors_; }
 
-  /// "; did you mean 'Radius'?" out of the declared names, the heads of blocks and `others`.
-  std::string suggestion(std::string_view name, std::vector<std::string_view> others = {}) const;
+  /// What may be meant by an unknown name: `; colors.inc declares it: #include "colors.inc"`, or ";
+  /// did you mean 'Radius'?" out of `nearer`, else out of the declared names and the heads of
+  /// blocks.
+  std::string suggestion(std::string_view name,
+                         std::vector<std::string_view> const& nearer = {}) const;
 
 private:
   void run_statements(SourceFile const& source);

@@ -176,6 +176,7 @@ private:
 
   // statements.cpp: directives that are a word and its arguments
   void include(ast::Directive const&);
+  void push_include(SourceFile const&, ast::Directive const&);
   void message(ast::Directive const&);
   void set_version(ast::Directive const&);
   void set_default(ast::Directive const&);

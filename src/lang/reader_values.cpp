@@ -60,8 +60,7 @@ void ReaderImpl::missing(std::string_view name, std::string_view kind) {
   Span const span = next_span();
   if (peek_.next == Next::Word && peek_.undeclared) {
     // A keyword that could stand here is nearer than any name.
-    std::string hint = did_you_mean(peek_.word, asked_);
-    if (hint.empty()) hint = in_.suggestion(peek_.word);
+    std::string const hint = in_.suggestion(peek_.word, asked_);
     in_.error("E0201", fmt::format("undeclared identifier '{}'{}", peek_.word, hint), span);
     while (peek_.split && frames_.back().part < peek_.split->arguments.size())
       ++frames_.back().part;

@@ -158,7 +158,10 @@ void ReaderImpl::report(Severity severity, std::string_view code, std::string_vi
   // Said of a name that is none: it is done with, and what follows of it is not said.
   bool const of_name = severity == Severity::Error && peek_.ready && peek_.next == Next::Word
                        && peek_.undeclared && span.valid() && span.begin == peek_.span.begin;
-  if (of_name) text += did_you_mean(peek_.word, asked_);
+  if (of_name) {
+    std::string const hint = in_.files.include_hint(peek_.word);
+    text += hint.empty() ? did_you_mean(peek_.word, asked_) : hint;
+  }
   in_.report(severity, code, text, span.valid() ? span : block_span());
   if (!of_name) return;
   taint();
@@ -179,15 +182,15 @@ void ReaderImpl::unexpected(std::string_view what) {
   if (tainted() && !name && peek_.next != Next::Block) return skip();
   bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
   std::string_view const word = next_word();
-  std::string hint = word.empty() ? std::string() : did_you_mean(word, asked_);
   if (name || (block && !find_block_kind(word))) {
-    if (hint.empty()) hint = in_.suggestion(word);
+    std::string const hint = in_.suggestion(word, asked_);
     if (block && peek_.block->head.span.valid()) span = peek_.block->head.span;
     in_.error(
         "E0202",
         fmt::format("unknown {} '{}': expected {}{}", name ? "name" : "block", word, what, hint),
         span);
   } else {
+    std::string const hint = word.empty() ? std::string() : did_you_mean(word, asked_);
     in_.error("E0203", fmt::format("expected {}, found {}{}", what, describe_next(), hint), span);
   }
   skip();

@@ -15,9 +15,10 @@ constexpr int max_include_depth = 64;
 
 void ReaderImpl::include(ast::Directive const& node) {
   enter_region(node.arguments, node.span);
+  int const errors = in_.error_count();
   std::string const name = path("the name of a file");
   leave_region();
-  if (name.empty()) return;
+  if (in_.error_count() > errors) return;
   if (includes_ >= max_include_depth) {
     in_.error(
         "E0704",
@@ -25,8 +26,12 @@ void ReaderImpl::include(ast::Directive const& node) {
         node.span);
     in_.abort();
   }
-  SourceFile const* const source = in_.files.include(name, node.span);
-  if (!source) return;
+  auto const sources = in_.files.include(name, node.span);
+  for (auto source = sources.rbegin(); source != sources.rend(); ++source)
+    push_include(**source, node);
+}
+
+void ReaderImpl::push_include(SourceFile const& source, ast::Directive const& node) {
   in_.scope.enter();
   ++includes_;
   static ast::Items const nothing;
@@ -34,15 +39,15 @@ void ReaderImpl::include(ast::Directive const& node) {
   frame.items = &nothing;
   frame.kind = Frame::Kind::Include;
   frame.span = node.span;
-  frame.name = source->name();
+  frame.name = source.name();
   push(std::move(frame));
-  if (StatementStream* const stream = in_.streams.open(*source)) {
+  if (StatementStream* const stream = in_.streams.open(source)) {
     frames_.back().items = &stream->statements;
     read_from(stream);
     return;
   }
   int const before = in_.error_count();
-  frames_.back().items = &in_.document(*source).items;
+  frames_.back().items = &in_.document(source).items;
   if (in_.error_count() > before) in_.abort();
 }
 
@@ -117,8 +122,10 @@ void ReaderImpl::open_file(ast::Directive const& node) {
   enter_region(node.arguments, node.span);
   frames_.back().position = 1; // behind the handle
   SourceFile const* const from = node.span.source;
+  int const errors = in_.error_count();
   std::string const file = path("the name of a file");
   auto opened = [&]() -> Result<std::shared_ptr<FileValue>> {
+    if (in_.error_count() > errors) return std::shared_ptr<FileValue>();
     if (accept("read")) return in_.files.open_read(file, from);
     if (accept("write")) return in_.files.open_write(file, false, node.span);
     if (accept("append")) return in_.files.open_write(file, true, node.span);

@@ -30,8 +30,35 @@ class Help(CliTest):
     def test_help_of_render_names_its_options(self):
         text = self.run_abbe('render', '--help').stdout
         for option in ('SCENE', '-o', '-W', '-H', '-j', '--aa', '--seed', '--bands', '--dispersion',
-                       '--spectral', '-D', '-I', '--region', '--quiet', '--allow-write'):
+                       '--spectral', '-D', '-I', '--region', '--quiet', '--allow-read', '--allow-write'):
             self.assertIn(option, text)
+
+
+class NothingToSee(CliTest):
+    """A picture that must be empty or black is made, with a warning."""
+
+    def warned(self, text: str) -> str:
+        self.write('scene.scn', '#version 3.7; global_settings { assumed_gamma 1 }\n' + text)
+        return self.run_abbe('check', 'scene.scn').stderr
+
+    def test_no_objects(self):
+        self.write('empty.scn', '')
+        says = 'the scene has no objects, no sky and no background\n'
+        self.assertEqual(self.run_abbe('check', 'empty.scn').stderr, 'empty.scn: warning[E0256]: ' + says)
+        self.assertIn(says, self.warned('light_source { 0, rgb 1 }'))
+        self.assertEqual(self.warned('background { rgb 1 }'), '')
+        self.assertEqual(self.warned('sky_sphere { pigment { rgb 1 } }'), '')
+
+    def test_no_light(self):
+        dark = 'sphere { 0, 1 pigment { rgb 1 } finish { ambient 0 } }\n'
+        self.assertIn('warning[E0256]: nothing gives light', self.warned(dark))
+        self.assertIn('nothing gives light', self.warned('union { sphere { 0, 1 } box { 0, 1 } finish { ambient 0 } }'))
+        self.assertIn('nothing gives light', self.warned('global_settings { ambient_light 0 } sphere { 0, 1 }'))
+        for light in ('light_source { 0, rgb 1 }', 'background { rgb 0.1 }', 'sphere { 0, 1 }',
+                      'union { box { 0, 1 } sphere { 0, 1 finish { emission 1 } } }',
+                      'sphere { 0, 1 finish { ambient 0 } interior_texture { pigment { rgb 1 } } }'):
+            with self.subTest(light):
+                self.assertEqual(self.warned(dark + light), '')
 
 
 class WrongCommandLine(CliTest):
@@ -48,6 +75,19 @@ class WrongCommandLine(CliTest):
 
     def test_unknown_command(self):
         self.refused('rendr', 'quick.scn', says="unknown command 'rendr'; did you mean 'render'")
+
+    def test_scene_in_the_place_of_a_command(self):
+        for name in ('quick.scn', 'other.pov', './quick.scn'):
+            self.refused(name, says=f'; to render a scene: abbe render {name}\n')
+
+    def test_words_of_povray(self):
+        self.refused('+Iquick.scn', '+W320', says=r'here it is abbe render quick\.scn')
+        self.refused('render', 'quick.scn', '+W320', '+H240', says=r"'\+W320' .*here it is -W 320\n.*here it is -H 240\n")
+        self.refused('render', 'quick.scn', '+A0.3', says=r"'\+A0\.3' is an option of POV-Ray: see abbe render --help")
+        self.refused('scene.ini', says='ini files of POV-Ray are not read')
+        self.refused('-', says='standard input is not read')
+        for word, hint in (('scene.ini', 'ini files'), ('-', 'standard input'), ('+Iquick.scn', 'abbe render quick')):
+            self.assertIn(hint, self.run_abbe('render', word, status=3).stderr)
 
     def test_missing_scene(self):
         for command in ('render', 'check', 'explain'):

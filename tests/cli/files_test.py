@@ -47,15 +47,61 @@ class Includes(CliTest):
         self.assertIn('<one>', self.run_abbe('check', 'scene.scn', '-I', 'one', '-I', 'two').stderr)
         self.assertIn('<two>', self.run_abbe('check', 'scene.scn', '-I', 'two', '-I', 'one').stderr)
 
+    def test_working_directory(self):
+        self.write('deep/scene.scn', '#include "part.inc"\n' + SAY.format('A'))
+        self.write('part.inc', '#declare A = "here"\n')
+        self.assertIn('<here>', self.run_abbe('check', 'deep/scene.scn').stderr)
+        self.write('deep/part.inc', '#declare A = "beside"\n')
+        self.assertIn('<beside>', self.run_abbe('check', 'deep/scene.scn').stderr)
+
     def test_standard_library_is_always_there(self):
         self.write('scene.scn', '#include "colors.inc"\nsphere { 0, 1 pigment { Red } }\n')
         self.run_abbe('check', 'scene.scn')
 
 
+class PovRayIncludes(CliTest):
+    """The folder of POV-Ray's includes, here one of the test's own."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.write('povray/part.inc', '#declare A = "of POV-Ray"\n')
+        self.write('povray/metals.inc', '#declare Only_There = 42;\n'
+                                        '#macro Finish_Gold() finish { diffuse 0.123 } #end\n')
+        self.environment = dict(os.environ, ABBE_POVRAY_INCLUDE=str(self.folder / 'povray'))
+
+    def said(self, text: str, *words, status: int = 0) -> str:
+        self.write('home/scene.scn', text)
+        return self.run_abbe('check', 'home/scene.scn', *words, status=status, env=self.environment).stderr
+
+    def test_are_found_without_being_named(self):
+        self.assertIn('<of POV-Ray>', self.said('#include "part.inc"\n' + SAY.format('A')))
+
+    def test_come_last(self):
+        self.write('home/part.inc', '#declare A = "own"\n')
+        self.assertIn('<own>', self.said('#include "part.inc"\n' + SAY.format('A')))
+
+    def test_are_read_too_where_the_library_has_the_same_name(self):
+        self.assertIn('<42>', self.said('#include "metals.inc"\n' + SAY.format('str(Only_There, 0, 0)')))
+        self.write('home/scene.scn', '#include "metals.inc"\nsphere { 0, 1 Finish_Gold() }\n')
+        dumped = self.run_abbe('dump', '--scene', 'home/scene.scn', env=self.environment).stdout
+        self.assertIn('metal Au', dumped)  # where both declare it, the library's counts
+        self.assertNotIn('0.123', dumped)
+
+    def test_may_be_none(self):
+        done = self.run_abbe('check', 'home/scene.scn', env=dict(os.environ, ABBE_POVRAY_INCLUDE=''), status=3)
+        self.assertIn('No such file or directory', done.stderr)
+        self.write('home/scene.scn', '#include "metals.inc"\n' + SAY.format('str(Only_There, 0, 0)'))
+        self.run_abbe('check', 'home/scene.scn', env=dict(os.environ, ABBE_POVRAY_INCLUDE=''), status=1)
+
+    def test_their_names_are_known(self):
+        text = self.said('#declare B = Only_There;\n', status=1)
+        self.assertIn('; metals.inc declares it: #include "metals.inc"', text)
+
+
 class Reading(CliTest):
     def read(self, name: str, status: int, *words) -> str:
         self.write('home/scene.scn', f'#fopen In "{name}" read\n#read (In, A)\n' + SAY.format('str(A, 0, 0)'))
-        return self.run_abbe('check', 'home/scene.scn', *words, status=status).stderr
+        return self.run_abbe('check', 'scene.scn', *words, status=status, cwd='home').stderr
 
     def test_below_the_scene(self):
         self.write('home/data/a.csv', '42, 43')
@@ -63,15 +109,50 @@ class Reading(CliTest):
 
     def test_not_above_it(self):
         self.write('secret.csv', '42')
-        self.assertIn('error[E0502]', self.read('../secret.csv', 1))
+        text = self.read('../secret.csv', 1)
+        self.assertIn('error[E0502]', text)
+        self.assertIn(f'--allow-read {self.folder}\n', text)
         self.assertIn('error[E0502]', self.read(str(self.folder / 'secret.csv'), 1))
-        self.assertIn('<42>', self.read('../secret.csv', 0, '-I', '.'))
+        self.assertIn('<42>', self.read('../secret.csv', 0, '-I', '..'))
+        self.assertIn('<42>', self.read('../secret.csv', 0, '--allow-read', '..'))
 
     def test_not_through_a_link(self):
         self.write('secret.csv', '42')
         (self.folder / 'home').mkdir()
         os.symlink('../secret.csv', self.folder / 'home' / 'link.csv')
         self.assertIn('error[E0502]', self.read('link.csv', 1))
+        self.assertIn('<42>', self.read('link.csv', 0, '--allow-read', '..'))
+
+    def test_below_the_working_directory(self):
+        self.write('data/a.csv', '42')
+        self.write('home/scene.scn', '#fopen In "data/a.csv" read\n#read (In, A)\n' + SAY.format('str(A, 0, 0)'))
+        self.assertIn('<42>', self.run_abbe('check', 'home/scene.scn').stderr)
+
+    def test_no_file_that_a_scene_reads_lies_elsewhere(self):
+        self.write('secret.txt', 'SECRET, 42\n')
+        os.makedirs(self.folder / 'home')
+        os.symlink('../secret.txt', self.folder / 'home' / 'link.txt')
+        for name in ('../secret.txt', 'link.txt', str(self.folder / 'secret.txt')):
+            for text in ('#include "{}"\n', '#declare V = array[1] {{ #include "{}" }}\n', 'glass_catalog "{}"\n',
+                         '#fopen In "{}" read\n#read (In, A)\n#error A\n', '#if (file_exists("{}")) #error "SECRET" #end\n'
+                         'no_such_thing\n'):
+                with self.subTest(name=name, text=text):
+                    self.write('home/scene.scn', text.format(name))
+                    done = self.run_abbe('check', 'scene.scn', status=1, cwd='home')
+                    self.assertNotIn('SECRET', done.stderr)
+                    if 'file_exists' not in text:
+                        self.assertIn('error[E0502]', done.stderr)
+                        self.assertIn('--allow-read', done.stderr)
+
+    def test_the_reason_is_the_systems(self):
+        self.assertIn("cannot read the file 'none.scn': No such file or directory",
+                      self.run_abbe('check', 'none.scn', status=3).stderr)
+        self.assertIn("cannot read the file '.': Is a directory", self.run_abbe('check', '.', status=3).stderr)
+        self.write('closed.scn', '').chmod(0)
+        if not os.access(self.folder / 'closed.scn', os.R_OK):  # root reads everything
+            self.assertIn('Permission denied', self.run_abbe('render', 'closed.scn', status=3).stderr)
+        os.mkfifo(self.folder / 'pipe')
+        self.assertIn('Not a regular file', self.run_abbe('dump', '--ast', 'pipe', status=3).stderr)
 
 
 class Writing(CliTest):

@@ -55,7 +55,8 @@ class CliTest(unittest.TestCase):
     def run_abbe(self, *words, status: int = 0, timeout: float = 300, **more) -> subprocess.CompletedProcess:
         """Runs `abbe words...`; the exit status must be `status`."""
         command = [ABBE, *map(str, words)]
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, timeout=timeout,
+        folder = self.folder / more.pop('cwd', '.')
+        done = subprocess.run(command, cwd=folder, capture_output=True, timeout=timeout,
                               check=False, stdin=subprocess.DEVNULL, **more)
         done.stdout = done.stdout.decode('utf-8', 'replace')
         done.stderr = done.stderr.decode('utf-8', 'replace')
