@@ -71,6 +71,15 @@ std::string hint_of_word(std::string_view word) {
   return fmt::format("'{}' is an option of POV-Ray: here it is {}", word, known);
 }
 
+std::string hint_of_scene(std::string const& path) {
+  if (auto hint = hint_of_word(path); !hint.empty()) return hint;
+  std::error_code failed;
+  for (char const* extension : {".scn", ".pov"})
+    if (std::filesystem::is_regular_file(path + extension, failed))
+      return fmt::format("did you mean '{}{}'?", path, extension);
+  return {};
+}
+
 std::string nothing_to_see(scene::Scene const& scene) {
   if (scene.sky_sphere || has_light(scene.background)) return {};
   if (scene.objects.empty()) return "the scene has no objects, no sky and no background";

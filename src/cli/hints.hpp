@@ -17,6 +17,10 @@ std::string hint_of_command(std::string_view word);
 /// `scene.ini`) or that stands for standard input (`-`), else "".
 std::string hint_of_word(std::string_view word);
 
+/// A line about a scene file that cannot be read: hint_of_word, or the same name with an extension
+/// when there is such a file; else "".
+std::string hint_of_scene(std::string const& path);
+
 /// What makes a picture of this scene empty or black: no objects, or nothing that gives light. "":
 /// nothing does.
 std::string nothing_to_see(scene::Scene const&);

@@ -183,7 +183,7 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
     if (diagnostic.severity == Severity::Error) ++errors;
   }
   if (evaluated.unreadable)
-    if (auto const hint = hint_of_word(arguments.scene); !hint.empty())
+    if (auto const hint = hint_of_scene(arguments.scene); !hint.empty())
       fmt::print(stderr, "abbe: {}\n", hint);
   if (evaluated.ok())
     if (auto const warning = nothing_to_see(evaluated.scene); !warning.empty())

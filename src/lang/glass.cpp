@@ -154,6 +154,16 @@ GlassPtr read_changes(Reader& in, GlassPtr glass) {
   return glass;
 }
 
+/// "; did you mean 'FLINT-2'?" out of the AGF files, or "".
+std::string nearest_in_files(SceneState const& state, std::string_view name) {
+  std::vector<std::string> full;
+  std::vector<std::string_view> candidates;
+  for (auto const& glass : state.file_glasses) full.push_back(glass->full_name());
+  for (auto const& glass : state.file_glasses) candidates.push_back(glass->name());
+  candidates.insert(candidates.end(), full.begin(), full.end());
+  return did_you_mean(name, candidates);
+}
+
 /// Reports a glass that a file names and that could not be made: another of the same name is not
 /// what was meant.
 bool report_lost(Reader& in, std::string_view name, Span at) {
@@ -214,7 +224,12 @@ std::shared_ptr<optics::Glass const> named_glass(Reader& in, std::string const& 
   if (!library) return nullptr;
   auto entry = library->find(name);
   if (!entry) {
-    in.report(Severity::Error, entry.error().code, entry.error().message, at);
+    std::string const nearer =
+        library->meant(name).empty() ? nearest_in_files(state, name) : std::string();
+    in.report(Severity::Error, entry.error().code,
+              nearer.empty() ? entry.error().message
+                             : fmt::format("there is no glass '{}'{}", name, nearer),
+              at);
     return nullptr;
   }
   GlassPtr glass = read_entry(in, *entry);

@@ -119,6 +119,14 @@ std::string_view status_name(int code) {
   return code >= 0 && code < 5 ? names[code] : std::string_view{};
 }
 
+/// The text without what would disturb a terminal in messages about names: control characters other
+/// than those that part words and lines are '?'.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if ((c >= 0 && c < ' ' && c != '\t' && c != '\r' && c != '\n') || c == 127) c = '?';
+  return text;
+}
+
 /// UTF-16 to bytes; anything beyond Latin-1 stands in comments only and becomes '?'. A text without
 /// byte order mark is UTF-16 when it begins with one letter and a zero byte.
 std::string to_bytes(std::string_view text) {
@@ -294,7 +302,7 @@ private:
 } // namespace
 
 AgfCatalogue read_agf(std::string_view text, std::string_view maker) {
-  std::string const bytes = to_bytes(text);
+  std::string const bytes = printable(to_bytes(text));
   Reader reader(maker);
   for (std::size_t at = 0; at < bytes.size();) {
     std::size_t const end = std::min(bytes.find_first_of("\r\n", at), bytes.size());

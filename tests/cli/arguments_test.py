@@ -89,6 +89,10 @@ class WrongCommandLine(CliTest):
         for word, hint in (('scene.ini', 'ini files'), ('-', 'standard input'), ('+Iquick.scn', 'abbe render quick')):
             self.assertIn(hint, self.run_abbe('render', word, status=3).stderr)
 
+    def test_scene_without_its_extension(self):
+        done = self.run_abbe('render', 'quick', status=3)
+        self.assertIn("abbe: did you mean 'quick.scn'?\n", done.stderr)
+
     def test_missing_scene(self):
         for command in ('render', 'check', 'explain'):
             with self.subTest(command):

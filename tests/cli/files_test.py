@@ -93,6 +93,17 @@ class PovRayIncludes(CliTest):
         self.write('home/scene.scn', '#include "metals.inc"\n' + SAY.format('str(Only_There, 0, 0)'))
         self.run_abbe('check', 'home/scene.scn', env=dict(os.environ, ABBE_POVRAY_INCLUDE=''), status=1)
 
+    def test_a_scene_without_version_is_of_the_newest_after_them(self):
+        # As in POV-Ray, whose files say `#version` twice; with and without them.
+        self.write('povray/colors.inc', '#declare Temp = version;\n#version 3.5;\n#version Temp;\n')
+        for folder in ('povray', ''):
+            for text, version in (('', '3.62'), ('#include "colors.inc"\n', '3.7')):
+                with self.subTest(folder=folder, text=text):
+                    self.write('scene.scn', text + 'sphere { 0, 1 }\n')
+                    dumped = self.run_abbe('dump', '--scene', 'scene.scn',
+                                           env=dict(self.environment, ABBE_POVRAY_INCLUDE=folder)).stdout
+                    self.assertIn(f'settings version {version} ', dumped)
+
     def test_their_names_are_known(self):
         text = self.said('#declare B = Only_There;\n', status=1)
         self.assertIn('; metals.inc declares it: #include "metals.inc"', text)

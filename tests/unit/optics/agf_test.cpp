@@ -154,6 +154,12 @@ TEST(Agf, FormsOfOtherProgramsAreRead) {
   EXPECT_EQ(names(read_agf("NM LIGHT CROWN 2 0 - 60\nCD 1 0.01\n", "")), "LIGHT CROWN ");
 }
 
+TEST(Agf, ControlCharactersOfNamesReachNoMessage) {
+  auto const catalogue = read_agf("NM A\x1B[2JB 99 0 1.5 60\nNM C\x07 2 0 - 60\nCD 1 0.01\n", "");
+  EXPECT_EQ(problems(catalogue), "1 A?[2JB lost: it uses formula 99; known are 1 to 13\n");
+  EXPECT_EQ(names(catalogue), "C? ");
+}
+
 TEST(Agf, SmallTransmittancesAreWhatTheySay) {
   auto const glass = [](std::string const& rows) {
     return read_agf("NM A 2 0 - 60\nCD 1 0.01\n" + rows, "").glasses.at(0);
