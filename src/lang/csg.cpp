@@ -74,7 +74,8 @@ scene::Object read_csg(Reader& in, Object::Kind kind) {
     }
   }
   if (object.children.empty() && object.lights.empty() && !failed)
-    in.report(Severity::Error, "E0250", fmt::format("{} {{}} holds no objects", kind_name(kind)),
+    in.report(Severity::Warning, "E0250",
+              fmt::format("{} {{}} holds no objects: nothing is drawn", kind_name(kind)),
               object.span);
   return object;
 }
@@ -123,9 +124,22 @@ Inherited inherit(Object& object, Inherited const& from) {
   return to;
 }
 
+/// A polygon, or a flat box or prism: nothing is entered, so that light does not bend or fade. (A
+/// triangle of a mesh is part of a surface.)
+void warn_about_interior(Reader& in, Object const& object) {
+  bool const patch =
+      object.keyword == "polygon" || object.keyword == "box" || object.keyword == "prism";
+  if (!patch || !object.interior || object.shape->solid()) return;
+  auto const& interior = *object.interior;
+  if (!interior.glass && interior.ior == 1 && interior.fade_distance == 0) return;
+  in.report(Severity::Warning, "E0253",
+            "this surface has no inside: light passes it as if it had no interior", object.span);
+}
+
 void settle_leaf(Object& object, Inherited const& with, Reader& in) {
   if (!object.texture) object.texture = with.texture;
   if (!object.interior_texture) object.interior_texture = with.interior_texture;
+  warn_about_interior(in, object);
   if (object.texture) return;
   bool const glass = object.interior && object.interior->glass;
   object.texture =

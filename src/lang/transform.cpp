@@ -29,6 +29,15 @@ Transform read_matrix(Reader& in) {
   std::vector<double> const numbers = in.components("matrix", 12);
   double rows[12];
   std::copy_n(numbers.begin(), 12, rows);
+  // As a scale of 0, POV-Ray mends a column of zeros, which gives nothing in x, y or z.
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (rows[i] != 0 || rows[3 + i] != 0 || rows[6 + i] != 0) continue;
+    rows[4 * i] = 1;
+    in.report(Severity::Warning, "E0350",
+              fmt::format("this matrix gives no {0}: its place for the scale of {0} is taken as 1",
+                          "xyz"[i]),
+              at);
+  }
   if (auto matrix = Transform::matrix(rows)) return *matrix;
   in.report(Severity::Error, "E0351", "this matrix is singular: it has no inverse", at);
   return {};

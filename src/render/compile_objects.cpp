@@ -72,6 +72,7 @@ private:
   }
 
   void add_solid(Piece&& piece) {
+    if (is_bare(piece.tree)) return;
     CompiledSolid solid;
     if (piece.interior) {
       solid.has_medium = true;
@@ -85,6 +86,11 @@ private:
     stage_.solids.push_back(solid);
     if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
     world_.add({std::move(piece.tree), piece.mask, refracts});
+  }
+
+  /// Nothing or all of space: it has no surface.
+  static bool is_bare(CsgTree const& tree) {
+    return tree.op != CsgTree::Op::Primitive && tree.children.empty();
   }
 
   bool leaks(CsgTree const& tree) const {
@@ -104,8 +110,8 @@ private:
     case Object::Kind::Union:
       for (auto const& child : object.children)
         for (auto& piece : pieces(child)) out.push_back(std::move(piece));
-      // The inverse of a union is one intersection.
-      if (object.inverse && !out.empty()) {
+      // The inverse of a union is one intersection; of none, it is all of space.
+      if (object.inverse) {
         std::vector<Piece> one;
         one.push_back(joined(std::move(out), CsgTree::Op::Merge));
         out = std::move(one);

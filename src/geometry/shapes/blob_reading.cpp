@@ -108,6 +108,7 @@ std::optional<PlacedShape> read_blob(Parameters& parameters) {
   double threshold = 1;
   std::vector<Blob::Component> components;
   bool good = true;
+  int nothing = 0;
   for (;;) {
     Span const at = parameters.next_span();
     std::optional<Raw> raw;
@@ -125,16 +126,23 @@ std::optional<PlacedShape> read_blob(Parameters& parameters) {
       raw = read_ball_or_cylinder(parameters);
       if (!raw) break;
     }
-    if (auto component = component_of(*raw)) {
+    if (raw->radius == 0) {
+      parameters.report(Severity::Warning, "E0619",
+                        "a component of radius 0 adds nothing to a blob", at);
+      ++nothing;
+    } else if (auto component = component_of(*raw)) {
       components.push_back(*component);
     } else {
       good = false;
       parameters.report(Severity::Error, "E0619",
-                        "a component of a blob needs finite places and a radius that is not zero",
-                        at);
+                        "a component of a blob needs finite places and a finite radius", at);
     }
   }
   if (!good) return std::nullopt;
+  if ((components.empty() && nothing > 0) || threshold < 0)
+    return left_out(parameters, "E0620",
+                    threshold < 0 ? "a blob with a threshold below 0 is everywhere: it is not drawn"
+                                  : "a blob of components of radius 0 is not drawn");
   return or_report(make_blob(std::move(components), threshold), parameters, "E0620",
                    "a blob needs a component, and a threshold above zero");
 }

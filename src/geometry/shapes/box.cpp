@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/box.hpp"
 
+#include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/reading.hpp"
 
 namespace abbe::geometry {
@@ -30,11 +31,34 @@ std::optional<PlacedShape> make_box(Vec3 const& corner, Vec3 const& opposite) {
                      Transform::scaling(half).then(Transform::rounded_translation(middle, 1))};
 }
 
+namespace {
+
+/// Between corners that agree in the coordinate `flat` alone.
+std::optional<PlacedShape> make_rectangle(Vec3 const& corner, Vec3 const& opposite, int flat) {
+  Vec3 second = corner, fourth = corner;
+  second[(flat + 1) % 3] = opposite[(flat + 1) % 3];
+  fourth[(flat + 2) % 3] = opposite[(flat + 2) % 3];
+  return make_polygon({{corner, second, opposite, fourth}}, Vec3(0), true);
+}
+
+} // namespace
+
 std::optional<PlacedShape> read_box(Parameters& parameters) {
   Vec3 const corner = parameters.vec3("corner");
   Vec3 const opposite = parameters.vec3("opposite corner");
+  int const flat = (corner.x == opposite.x) + (corner.y == opposite.y) + (corner.z == opposite.z);
+  if (flat > 1)
+    return left_out(parameters, "E0602",
+                    "a box whose corners differ in less than two of x, y and z is not drawn");
+  if (flat == 1) {
+    parameters.report(Severity::Warning, "E0602",
+                      "this box is flat: it is drawn as a rectangle and has no inside");
+    int const axis = corner.x == opposite.x ? 0 : (corner.y == opposite.y ? 1 : 2);
+    return or_report(make_rectangle(corner, opposite, axis), parameters, "E0602",
+                     "a box needs two finite corners");
+  }
   return or_report(make_box(corner, opposite), parameters, "E0602",
-                   "a box needs two finite corners that differ in x, y and z");
+                   "a box needs two finite corners, not too near to each other for numbers");
 }
 
 } // namespace abbe::geometry

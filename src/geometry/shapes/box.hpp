@@ -8,12 +8,14 @@
 namespace abbe::geometry {
 
 /** @scene box { <corner>, <corner> }
-A box along the axes between two opposite corners, in any order.
+A box along the axes between two opposite corners, in any order. One that is flat in x, y or z is a
+rectangle, as in POV-Ray: without an inside, as a polygon. One that is flat in two of them is left
+out. Both give a warning.
 
 | name | type | unit | default | range |
 |---|---|---|---|---|
 | corner | vector | length | - | any |
-| corner | vector | length | - | different in x, y and z |
+| corner | vector | length | - | different in x, y and z for a body |
 
     box { <-1, 0, -1>, <1, 2, 1> }
 */

@@ -8,15 +8,15 @@
 namespace abbe::geometry {
 
 /** @scene cone { <base>, base_radius, <cap>, cap_radius [open] }
-A cone, or the part of one between two lids. Equal radii make a cylinder. `open` leaves the lids
-out.
+A cone, or the part of one between two lids. Equal radii make a cylinder. Radii of opposite signs
+make two cones that meet in their apex. `open` leaves the lids out.
 
 | name | type | unit | default | range |
 |---|---|---|---|---|
 | base | vector | length | - | any |
-| base_radius | number | length | - | not both 0 |
+| base_radius | number | length | - | both 0 is left out with a warning |
 | cap | vector | length | - | other than base |
-| cap_radius | number | length | - | not both 0 |
+| cap_radius | number | length | - | both below 0 count as positive, with a warning |
 
     cone { <0, 0, 0>, 1, <0, 2, 0>, 0 }
 */
@@ -40,6 +40,23 @@ public:
 private:
   double middle_, rate_;
   bool open_;
+};
+
+/// The same between radii of opposite signs: both sides of the apex. Faces: 0 wall at the base, 1
+/// base, 2 cap, 3 wall at the cap.
+class DoubleCone final : public Shape {
+public:
+  /// @param middle, rate the radius at y is middle + rate y, of either sign
+  DoubleCone(double middle, double rate, bool open);
+  void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  bool flat(std::uint32_t face) const override { return face == 1 || face == 2; }
+  bool inside(Vec3 const& point) const override;
+  Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Bounds bounds() const override { return base_.bounds(); }
+  double ball_radius() const override { return base_.ball_radius(); }
+
+private:
+  Cone base_, cap_;
 };
 
 std::optional<PlacedShape> make_cone(Vec3 const& base, double base_radius, Vec3 const& cap,

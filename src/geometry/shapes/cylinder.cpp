@@ -36,8 +36,10 @@ std::optional<PlacedShape> read_cylinder(Parameters& parameters) {
   Vec3 const cap = parameters.vec3("cap point");
   double const radius = parameters.number("radius");
   bool const open = parameters.flag("open").value_or(false);
+  if (radius == 0 && base != cap)
+    return left_out(parameters, "E0604", "a cylinder of radius 0 is not drawn");
   return or_report(make_cylinder(base, cap, radius, open), parameters, "E0604",
-                   "a cylinder needs two finite points that differ and a radius that is not zero");
+                   "a cylinder needs two finite points that differ and a finite radius");
 }
 
 } // namespace abbe::geometry

@@ -14,7 +14,7 @@ A round cylinder between two points. `open` leaves the two lids out; the inside 
 |---|---|---|---|---|
 | base | vector | length | - | any |
 | cap | vector | length | - | other than base |
-| radius | number | length | - | not 0 |
+| radius | number | length | - | 0 is left out with a warning |
 
     cylinder { <0, 0, 0>, <0, 2, 0>, 0.5 open }
 */

@@ -10,7 +10,7 @@ void Disc::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   ConvexShape::crossings(ray, start, out);
   for (std::size_t i = first; i < out.size(); ++i) {
     double const distance = vector_length(ray.origin + out[i].t * ray.direction);
-    out[i].visible = hole_ <= distance && distance <= radius_;
+    out[i].visible = hole_ <= distance && distance <= radius_ && hole_ < radius_;
   }
 }
 
@@ -23,7 +23,7 @@ Bounds Disc::bounds() const {
 std::optional<PlacedShape> make_disc(Vec3 const& centre, Vec3 const& normal, double radius,
                                      double hole) {
   if (!finite(centre) || !finite(normal) || normal == Vec3(0) || !usable_size(radius)
-      || !std::isfinite(hole) || !(std::fabs(hole) < std::fabs(radius))) {
+      || !std::isfinite(hole)) {
     return std::nullopt;
   }
   return PlacedShape{
@@ -36,9 +36,16 @@ std::optional<PlacedShape> read_disc(Parameters& parameters) {
   Vec3 const normal = parameters.vec3("normal");
   double const radius = parameters.number("radius");
   double const hole = parameters.optional_number("hole radius").value_or(0);
+  if (radius == 0) return left_out(parameters, "E0606", "a disc of radius 0 is not drawn");
+  if (normal == Vec3(0))
+    return left_out(parameters, "E0606", "a disc whose normal is zero is not drawn");
+  if (std::fabs(hole) >= std::fabs(radius))
+    parameters.report(
+        Severity::Warning, "E0606",
+        "the hole leaves nothing of this disc to be seen; its half-space still counts "
+        "in boolean operations");
   return or_report(make_disc(centre, normal, radius, hole), parameters, "E0606",
-                   "a disc needs a finite centre, a normal that is not zero, a radius that is not "
-                   "zero and a hole smaller than it");
+                   "a disc needs a finite centre, normal and radii");
 }
 
 } // namespace abbe::geometry

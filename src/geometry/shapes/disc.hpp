@@ -14,9 +14,9 @@ the plane of the disc, as for `plane`; its surface is only the ring.
 | name | type | unit | default | range |
 |---|---|---|---|---|
 | centre | vector | length | - | any |
-| normal | vector | - | - | not zero |
-| radius | number | length | - | not 0 |
-| hole_radius | number | length | 0 | less than radius |
+| normal | vector | - | - | 0 is left out with a warning |
+| radius | number | length | - | 0 is left out with a warning |
+| hole_radius | number | length | 0 | from radius on (a warning), the surface is nowhere |
 
     disc { <0, 0, 0>, y, 1, 0.5 }
 */

@@ -405,8 +405,13 @@ std::optional<PlacedShape> read_lathe(Parameters& parameters) {
     parameters.report(Severity::Error, "E0623", "a bezier_spline has four points for each piece");
     return std::nullopt;
   }
-  return or_report(make_lathe(kind, *points), parameters, "E0624",
-                   "a lathe needs finite points, not all on the axis or in one place");
+  auto const same = [&](Vec2 const& p) { return p == points->front(); };
+  auto const on_axis = [](Vec2 const& p) { return p.x == 0; };
+  if (std::all_of(points->begin(), points->end(), same)
+      || std::all_of(points->begin(), points->end(), on_axis))
+    return left_out(parameters, "E0624",
+                    "a lathe whose points are all on the axis or in one place is not drawn");
+  return or_report(make_lathe(kind, *points), parameters, "E0624", "a lathe needs finite points");
 }
 
 } // namespace abbe::geometry

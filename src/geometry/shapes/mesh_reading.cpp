@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/mesh_reading.hpp"
 
+#include "geometry/line.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/shapes/reading.hpp"
 
@@ -78,6 +79,19 @@ public:
     uvs_.push_back(uv);
     textures_.push_back(textures);
   }
+  bool empty() const { return data_.faces.empty(); }
+  /// Do the normals of the first triangle all look to one of its sides?
+  bool normals_agree() const {
+    Corners const& face = data_.faces.front();
+    Vec3 const a = data_.vertices[face[0]];
+    Vec3 const across = glm::cross(data_.vertices[face[1]] - a, data_.vertices[face[2]] - a);
+    double low = infinity, high = -infinity;
+    for (Vec3 const& normal : data_.normals) {
+      low = std::fmin(low, glm::dot(normal, across));
+      high = std::fmax(high, glm::dot(normal, across));
+    }
+    return low > 0 || high < 0 || across == Vec3(0);
+  }
   MeshData take() {
     if (data_.normals.empty()) data_.normal_corners.clear();
     if (!data_.uv.empty()) data_.uv_corners = std::move(uvs_);
@@ -116,6 +130,9 @@ private:
 std::optional<PlacedShape> read_single(Parameters& parameters, bool smooth) {
   MeshCollector collector(parameters);
   collector.triangle(smooth);
+  if (smooth && !collector.empty() && !collector.normals_agree())
+    return left_out(parameters, "E0610",
+                    "a smooth_triangle whose normals are not on one side of it is not drawn");
   MeshData data = collector.take();
   if (data.faces.empty()) return std::nullopt; // reported
   return finish(std::move(data), parameters);

@@ -9,8 +9,8 @@
 
 namespace abbe::geometry {
 
-Polygon::Polygon(std::vector<Edge> edges)
-    : edges_(std::move(edges)), low_(infinity), high_(-infinity) {
+Polygon::Polygon(std::vector<Edge> edges, bool inner)
+    : edges_(std::move(edges)), inner_(inner), low_(infinity), high_(-infinity) {
   for (Edge const& edge : edges_) {
     low_ = glm::min(low_, edge.from);
     high_ = glm::max(high_, edge.from);
@@ -39,7 +39,7 @@ void Polygon::crossings(Ray const& ray, Start const* start, Crossings& out) cons
   c.error = (ray.origin_rounding.y + std::fabs(c.t) * ray.direction_rounding.y) / std::fabs(speed)
             + gamma_bound(2) * std::fabs(c.t);
   c.slack = ray.origin_error.y / std::fabs(speed);
-  c.entering = speed < 0;
+  c.entering = !inner_ && speed < 0;
   c.toggles = false;
   out.push_back(c);
 }
@@ -48,7 +48,8 @@ Bounds Polygon::bounds() const {
   return {{low_.x, 0, low_.y}, {high_.x, 0, high_.y}, false};
 }
 
-std::optional<PlacedShape> make_polygon(std::vector<std::vector<Vec3>> const& outlines) {
+std::optional<PlacedShape> make_polygon(std::vector<std::vector<Vec3>> const& outlines,
+                                        Vec3 const& outward, bool inner) {
   Vec3 low(infinity), high(-infinity);
   for (auto const& outline : outlines) {
     for (Vec3 const& p : outline) {
@@ -73,18 +74,26 @@ std::optional<PlacedShape> make_polygon(std::vector<std::vector<Vec3>> const& ou
     if (glm::dot(sum, sum) > glm::dot(normal, normal)) normal = sum;
   }
   if (normal == Vec3(0)) return std::nullopt;
+  if (glm::dot(normal, outward) < 0) normal = -normal;
   Transform place = y_to(normal);
   std::vector<Polygon::Edge> edges;
+  double low_height = infinity, high_height = -infinity; // of the points above `middle`
   for (auto const& outline : outlines) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       Vec3 const a = place.inverse_linear * ((outline[i] - middle) / unit);
       Vec3 const b = place.inverse_linear * ((outline[(i + 1) % outline.size()] - middle) / unit);
-      if (std::fabs(a.y) > 0x1p-20 * largest / unit) return std::nullopt;
+      low_height = std::fmin(low_height, a.y);
+      high_height = std::fmax(high_height, a.y);
       edges.push_back({{a.x, a.z}, {b.x, b.z}});
     }
   }
-  place = place.then(Transform::scaling(Vec3(unit))).then(Transform::translation(middle));
-  return PlacedShape{std::make_shared<Polygon>(std::move(edges)), place};
+  double const off = (high_height - low_height) * 0.5, height = low_height + off;
+  if (off > 0x1p-20 * largest / unit) return std::nullopt;
+  place = Transform::translation({0, height, 0})
+              .then(place)
+              .then(Transform::scaling(Vec3(unit)))
+              .then(Transform::translation(middle));
+  return PlacedShape{std::make_shared<Polygon>(std::move(edges), inner), place};
 }
 
 std::optional<PlacedShape> read_polygon(Parameters& parameters) {
@@ -103,8 +112,17 @@ std::optional<PlacedShape> read_polygon(Parameters& parameters) {
     closed = !outline.empty() && outline.front() == point;
     if (!closed) outline.push_back(point);
   }
-  return or_report(make_polygon(outlines), parameters, "E0631",
-                   "a polygon needs finite points in one plane, not all on one line");
+  for (auto const& outline : outlines)
+    if (!std::all_of(outline.begin(), outline.end(), finite)) {
+      parameters.report(Severity::Error, "E0631", "a polygon needs finite points");
+      return std::nullopt;
+    }
+  auto polygon = make_polygon(outlines);
+  if (!polygon)
+    return left_out(
+        parameters, "E0631",
+        "a polygon whose points are not in one plane, or all on one line, is not drawn");
+  return polygon;
 }
 
 } // namespace abbe::geometry

@@ -11,7 +11,8 @@ namespace abbe::geometry {
 /** @scene polygon { n, <x, y, z>, ... }
 A flat patch with corners in one plane. Several outlines may follow each other, each closed by
 repeating its first point (the last is closed in any case); where an even number of them overlap
-there is a hole. It has no inside.
+there is a hole. It has no inside. One whose points are on a line or not in a plane is left out with
+a warning.
 
 | name | type | unit | default | range |
 |---|---|---|---|---|
@@ -26,7 +27,8 @@ public:
   struct Edge {
     Vec2 from, to; ///< x, z
   };
-  explicit Polygon(std::vector<Edge> edges);
+  /// @param inner both sides show the interior_texture, as those of POV-Ray's flat boxes
+  Polygon(std::vector<Edge> edges, bool inner);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
   bool inside(Vec3 const&) const override { return false; }
   Vec3 normal(Vec3 const&, std::uint32_t) const override { return {0, 1, 0}; }
@@ -38,10 +40,14 @@ public:
 private:
   bool covers(Vec2 const& point) const;
   std::vector<Edge> edges_;
+  bool inner_;
   Vec2 low_, high_;
 };
 
-std::optional<PlacedShape> make_polygon(std::vector<std::vector<Vec3>> const& outlines);
+/// @param outward where the normal looks to; 0: to either side, by the order of the points
+/// @param inner see Polygon
+std::optional<PlacedShape> make_polygon(std::vector<std::vector<Vec3>> const& outlines,
+                                        Vec3 const& outward = Vec3(0), bool inner = false);
 std::optional<PlacedShape> read_polygon(Parameters& parameters);
 
 } // namespace abbe::geometry

@@ -260,9 +260,10 @@ std::optional<PlacedShape> read_coefficients(Parameters& parameters, int order) 
   std::vector<double> k =
       parameters.components("coefficients", static_cast<int>(coefficient_count(order)));
   (void)parameters.flag("sturm");
-  return or_report(
-      make_polynomial(order, std::move(k)), parameters, "E0617",
-      "a polynomial surface needs finite coefficients, not all but the last of them zero");
+  if (std::all_of(k.begin(), k.end() - 1, [](double c) { return c == 0; }))
+    return left_out(parameters, "E0617", "a polynomial of a constant alone is not drawn");
+  return or_report(make_polynomial(order, std::move(k)), parameters, "E0617",
+                   "a polynomial surface needs finite coefficients");
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "geometry/kernels.hpp"
 #include "geometry/shapes/convex_prism.hpp"
+#include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -177,6 +178,46 @@ std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, doub
   return PlacedShape{std::make_shared<Prism>(contours, open), placement};
 }
 
+namespace {
+
+/// The points that are furthest apart where all are on a line.
+std::pair<Vec2, Vec2> ends_of(Prism::Contour const& contour) {
+  auto const before = [](Vec2 const& a, Vec2 const& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  auto const [a, b] = std::minmax_element(contour.begin(), contour.end(), before);
+  return {*a, *b};
+}
+
+/// But for the rounding of decimal places.
+bool on_a_line(Prism::Contour const& contour) {
+  auto const [a, b] = ends_of(contour);
+  Vec2 const along = b - a;
+  double const most = 0x1p-40 * glm::dot(along, along);
+  return std::all_of(contour.begin(), contour.end(), [&, from = a](Vec2 const& p) {
+    Vec2 const to = p - from;
+    return std::fabs(lane::difference_of_products(along.x, to.y, along.y, to.x)) <= most;
+  });
+}
+
+/// A prism without a volume, as POV-Ray draws it: its outlines where its heights are the same, else
+/// a wall where the points of its one outline are on a line.
+std::optional<PlacedShape> flat_prism(std::vector<Prism::Contour> const& contours, double y1,
+                                      double y2, bool open) {
+  std::vector<std::vector<Vec3>> outlines;
+  if (y1 == y2 && !open) {
+    for (Prism::Contour const& contour : contours)
+      for (auto& outline = outlines.emplace_back(); Vec2 const& p : contour)
+        outline.push_back({p.x, y1, p.y});
+  } else if (y1 != y2 && contours.size() == 1) {
+    auto const [a, b] = ends_of(contours[0]);
+    outlines = {{{a.x, y1, a.y}, {b.x, y1, b.y}, {b.x, y2, b.y}, {a.x, y2, a.y}}};
+  }
+  return make_polygon(outlines, Vec3(0, 1, 0));
+}
+
+} // namespace
+
 std::optional<PlacedShape> read_prism(Parameters& parameters) {
   bool supported = true;
   auto const kind = [&] {
@@ -213,8 +254,15 @@ std::optional<PlacedShape> read_prism(Parameters& parameters) {
                       "only linear_spline prisms with linear_sweep are supported yet");
     return std::nullopt;
   }
+  if (y1 == y2 || std::all_of(contours.begin(), contours.end(), on_a_line)) {
+    auto flat = flat_prism(contours, y1, y2, open);
+    if (!flat) return left_out(parameters, "E0609", "a prism without walls and lids is not drawn");
+    parameters.report(Severity::Warning, "E0609",
+                      "this prism is flat: it is drawn as a patch and has no inside");
+    return flat;
+  }
   return or_report(make_prism(std::move(contours), y1, y2, open), parameters, "E0609",
-                   "a prism needs two different heights and a polygon of three or more points");
+                   "a prism needs finite heights and outlines of three or more points");
 }
 
 } // namespace abbe::geometry

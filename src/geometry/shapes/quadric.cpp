@@ -76,8 +76,10 @@ std::optional<PlacedShape> read_quadric(Parameters& parameters) {
   Vec3 const d = parameters.vec3("products D, E, F");
   Vec3 const g = parameters.vec3("linear terms G, H, I");
   double const j = parameters.number("constant J");
+  if (a == Vec3(0) && d == Vec3(0) && g == Vec3(0))
+    return left_out(parameters, "E0607", "a quadric of a constant alone is not drawn");
   return or_report(make_quadric({a.x, a.y, a.z, d.x, d.y, d.z, g.x, g.y, g.z, j}), parameters,
-                   "E0607", "a quadric needs finite coefficients, not all of A ... I zero");
+                   "E0607", "a quadric needs finite coefficients");
 }
 
 } // namespace abbe::geometry

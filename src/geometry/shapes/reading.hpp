@@ -25,6 +25,14 @@ inline std::optional<PlacedShape> or_report(std::optional<PlacedShape> shape,
   return shape;
 }
 
+/// What POV-Ray reads without a word and shows as nothing: a warning says so.
+/// @return what stands for it, so that the caller can return it as its own shape
+inline std::nullopt_t left_out(Parameters& parameters, std::string_view code,
+                               std::string_view message) {
+  parameters.report(Severity::Warning, code, message);
+  return std::nullopt;
+}
+
 /// `n, <x, y> ...`: the number of points and the points; nullopt (reported) when there are fewer.
 inline std::optional<std::vector<Vec2>> read_points(Parameters& parameters, int least) {
   int const count = parameters.integer("number of points", least, 1 << 24);

@@ -14,7 +14,7 @@ namespace abbe::geometry {
 struct ShapeKind {
   std::string_view keyword;
   /// Reads the shape's own parameters (not the modifiers that all objects have). What is wrong is
-  /// reported with a code E06xx; nullopt when nothing can be drawn.
+  /// reported with a code E06xx; nullopt when nothing can be drawn, by an error or a warning.
   std::optional<PlacedShape> (*read)(Parameters&);
 };
 

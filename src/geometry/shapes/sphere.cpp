@@ -24,8 +24,9 @@ std::optional<PlacedShape> make_sphere(Vec3 const& centre, double radius) {
 std::optional<PlacedShape> read_sphere(Parameters& parameters) {
   Vec3 const centre = parameters.vec3("centre");
   double const radius = parameters.number("radius");
+  if (radius == 0) return left_out(parameters, "E0601", "a sphere of radius 0 is not drawn");
   return or_report(make_sphere(centre, radius), parameters, "E0601",
-                   "a sphere needs a finite centre and a radius that is not zero");
+                   "a sphere needs a finite centre and a finite radius");
 }
 
 } // namespace abbe::geometry

@@ -13,7 +13,7 @@ A ball. A negative radius is as good as a positive one.
 | name | type | unit | default | range |
 |---|---|---|---|---|
 | centre | vector | length | - | any |
-| radius | number | length | - | not 0 |
+| radius | number | length | - | 0 is left out with a warning |
 
     sphere { <0, 1, 0>, 1 }
 */

@@ -341,8 +341,10 @@ std::optional<PlacedShape> read_sphere_sweep(Parameters& parameters) {
     points.push_back({p.x, p.y, p.z, parameters.number("radius")});
   }
   if (parameters.accept("tolerance")) (void)parameters.number("tolerance");
+  if (std::all_of(points.begin(), points.end(), [](auto const& p) { return p[3] == 0; }))
+    return left_out(parameters, "E0626", "a sphere_sweep whose radii are all 0 is not drawn");
   return or_report(make_sphere_sweep(kind, std::move(points)), parameters, "E0626",
-                   "a sphere_sweep needs finite centres and radii, not all of these zero");
+                   "a sphere_sweep needs finite centres and radii");
 }
 
 } // namespace abbe::geometry

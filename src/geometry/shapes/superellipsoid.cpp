@@ -228,7 +228,13 @@ std::optional<PlacedShape> make_superellipsoid(double east, double north) {
 }
 
 std::optional<PlacedShape> read_superellipsoid(Parameters& parameters) {
-  Vec2 const roundness = parameters.vec2("roundness <e, n>");
+  constexpr double sharpest = 1e-4; // no picture tells it from 0
+  Vec2 roundness = parameters.vec2("roundness <e, n>");
+  for (int i = 0; i < 2; ++i) {
+    if (roundness[i] != 0) continue;
+    roundness[i] = sharpest;
+    parameters.report(Severity::Warning, "E0627", "a roundness of 0 is taken as the sharpest edge");
+  }
   return or_report(make_superellipsoid(roundness.x, roundness.y), parameters, "E0627",
                    "a superellipsoid needs two finite numbers above zero");
 }

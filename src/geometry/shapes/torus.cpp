@@ -157,8 +157,12 @@ std::optional<PlacedShape> read_torus(Parameters& parameters) {
   double const major = parameters.number("major radius");
   double const minor = parameters.number("minor radius");
   (void)parameters.flag("sturm");
-  return or_report(make_torus(major, minor), parameters, "E0608",
-                   "a torus needs finite radii and a minor radius that is not zero");
+  if (minor == 0)
+    return left_out(parameters, "E0608", "a torus whose minor radius is 0 is not drawn");
+  if (major < 0 || minor < 0)
+    parameters.report(Severity::Warning, "E0608",
+                      "the radii of this torus count as positive (POV-Ray draws something else)");
+  return or_report(make_torus(major, minor), parameters, "E0608", "a torus needs finite radii");
 }
 
 } // namespace abbe::geometry

@@ -12,8 +12,9 @@ all that the tube sweeps over. `sturm` is accepted and has no effect.
 
 | name | type | unit | default | range |
 |---|---|---|---|---|
-| major_radius | number | length | - | any; 0 makes a sphere |
-| minor_radius | number | length | - | not 0 |
+| major_radius | number | length | - | 0 makes a sphere; below 0 counts as positive, with a warning
+| | minor_radius | number | length | - | 0 is left out, below 0 counts as positive, both with a
+warning |
 
     torus { 1, 0.25 }
 */

@@ -115,15 +115,27 @@ TEST(Reading, GoodShapesReadAllOfTheirParameters) {
 
 TEST(Reading, BadParametersAreReportedByCode) {
   char const* const bad[][3] = {
-      {"sphere", "<0,0,0> 0", "E0601 "},
-      {"box", "<0,0,0> <1,0,1>", "E0602 "},
+      {"sphere", "<0,0,0> 0", "WE0601 "},
+      {"box", "<0,0,0> <1,0,0>", "WE0602 "},
+      {"box", "<1,2,3> <1,2,3>", "WE0602 "},
       {"plane", "<0,0,0> 1", "E0603 "},
       {"cylinder", "<1,1,1> <1,1,1> 1", "E0604 "},
-      {"cone", "<0,0,0> 0 <0,1,0> 0", "E0605 "},
-      {"disc", "<0,0,0> <0,1,0> 1 2", "E0606 "},
-      {"quadric", "<0,0,0> <0,0,0> <0,0,0> 1", "E0607 "},
-      {"torus", "1 0", "E0608 "},
-      {"prism", "0 0 3 <0,0> <1,0> <0,1>", "E0609 "},
+      {"cylinder", "<0,0,0> <0,1,0> 0", "WE0604 "},
+      {"cone", "<0,0,0> 0 <0,1,0> 0", "WE0605 "},
+      {"cone", "<0,0,0> 1 <0,0,0> 2", "E0605 "},
+      {"disc", "<0,0,0> <0,1,0> 0", "WE0606 "},
+      {"disc", "<0,0,0> <0,0,0> 1", "WE0606 "},
+      {"quadric", "<0,0,0> <0,0,0> <0,0,0> 1", "WE0607 "},
+      {"torus", "1 0", "WE0608 "},
+      {"prism", "0 0 3 <0,0> <1,0> <0,1> open", "WE0609 "},
+      {"prism", "0 1 3 <1,2> <1,2> <1,2>", "WE0609 "},
+      {"polygon", "3 <0,0,0> <1,0,0> <2,0,0>", "WE0631 "},
+      {"polygon", "4 <0,0,0> <1,0,0> <1,1,0> <0,1,.1>", "WE0631 "},
+      {"blob", "sphere { <0,0,0> 0 1 }", "WE0619 WE0620 "},
+      {"blob", "sphere { <0,0,0> 1 1 } threshold -1", "WE0620 "},
+      {"sphere_sweep", "linear_spline 2 <0,0,0> 0 <1,0,0> 0", "WE0626 "},
+      {"lathe", "2 <1,0> <1,0>", "WE0624 "},
+      {"smooth_triangle", "<0,0,0> <0,0,1> <1,0,0> <0,0,1> <0,1,0> <0,0,-1>", "WE0610 "},
       {"prism", "0 1 5 <0,0> <1,0> <0,1>", "E0616 "},
       {"prism", "conic_sweep 0 1 3 <0,0> <1,0> <0,1>", "E0901 "},
       {"triangle", "<0,0,0> <1,0,0> <2,0,0>", "WE0610 "},
@@ -137,6 +149,26 @@ TEST(Reading, BadParametersAreReportedByCode) {
     Read const result = read(keyword, text);
     EXPECT_FALSE(result.shape) << keyword << " " << text;
     EXPECT_EQ(result.reports, code) << keyword << " " << text;
+  }
+}
+
+TEST(Reading, WhatIsFlatOrOddIsDrawnWithAWarning) {
+  char const* const odd[][3] = {
+      {"box", "<0,0,0> <1,0,1>", "WE0602 "},
+      {"prism", "0 0 3 <0,0> <1,0> <0,1>", "WE0609 "},
+      {"prism", "0 1 4 <0,0> <1,1> <2,2> <0,0>", "WE0609 "},
+      {"disc", "<0,0,0> <0,1,0> 1 2", "WE0606 "},
+      {"torus", "1 -.2", "WE0608 "},
+      {"cone", "<0,0,0> -1 <0,1,0> -.5", "WE0605 "},
+      {"cone", "<0,0,0> -1 <0,1,0> .5", ""},
+      {"blob", "sphere { <0,0,0> 0 1 } sphere { <0,0,0> 1 1 } threshold .5", "WE0619 "},
+      {"superellipsoid", "<0,1>", "WE0627 "},
+  };
+  for (auto const& [keyword, text, code] : odd) {
+    Read const result = read(keyword, text);
+    EXPECT_TRUE(result.shape) << keyword << " " << text;
+    EXPECT_EQ(result.reports, code) << keyword << " " << text;
+    EXPECT_TRUE(result.all_read) << keyword << " " << text;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/polynomial_surface.hpp"
 #include "geometry/shapes/prism.hpp"
 #include "geometry/shapes/quadric.hpp"
@@ -181,6 +182,11 @@ std::vector<Sample> samples(double s) {
       {"frustum", *make_cone({0, 0, -s}, .5 * s, {0, 0, s}, s, true), [s](Quad x, Quad y, Quad z) {
          return larger(size_of(z) - s, root_of(x * x + y * y) - (.75 * s + .25 * z));
        }});
+  all.push_back({"double cone", *make_cone({0, -s, 0}, -.5 * s, {0, s, 0}, s, false),
+                 [s](Quad x, Quad y, Quad z) {
+                   return larger(size_of(y) - s,
+                                 root_of(x * x + z * z) - size_of(.25 * s + .75 * y));
+                 }});
   all.push_back({"torus", *make_torus(s, .25 * s), [s](Quad x, Quad y, Quad z) {
                    Quad const g = root_of(x * x + z * z) - s;
                    return root_of(g * g + y * y) - .25 * s;
@@ -405,6 +411,26 @@ TEST(Disc, IsAHalfSpaceSeenOnlyInTheRing) {
   EXPECT_TRUE(disc.shape().inside({9, -1, 0}));
 }
 
+TEST(Disc, WithAHoleOfItsSizeShowsNothingAndStillHasAnInside) {
+  Placed const disc(*make_disc({0, 0, 0}, {0, 1, 0}, 1, 1));
+  Crossings const c = sorted_crossings(disc, ray_from({1, 3, 0}, {0, -1, 0}));
+  ASSERT_EQ(c.size(), 1u);
+  EXPECT_FALSE(c[0].visible);
+  EXPECT_TRUE(c[0].toggles);
+}
+
+TEST(Polygon, ObliqueOnesAreHitInTheirOwnPlane) {
+  // x + y + z = 1, whose bounding box has its middle outside.
+  Placed const polygon(*make_polygon({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
+  Crossings const c = sorted_crossings(polygon, ray_from({.25, .25, -3}, {0, 0, 1}));
+  ASSERT_EQ(c.size(), 1u);
+  EXPECT_NEAR(c[0].t, 3.5, 1e-15);
+  EXPECT_TRUE(sorted_crossings(polygon, ray_from({.6, .6, -3}, {0, 0, 1})).empty());
+  // Off its plane by less than 2^-20 of its size, and by more.
+  EXPECT_TRUE(make_polygon({{{0, 0, 0}, {1, 0, 0}, {1, 1, 4e-7}, {0, 1, 0}}}));
+  EXPECT_FALSE(make_polygon({{{0, 0, 0}, {1, 0, 0}, {1, 1, 4e-6}, {0, 1, 0}}}));
+}
+
 TEST(Degenerate, ParametersMakeNoShape) {
   double const nan = std::nan("");
   EXPECT_FALSE(make_sphere({0, 0, 0}, 0));
@@ -416,7 +442,6 @@ TEST(Degenerate, ParametersMakeNoShape) {
   EXPECT_FALSE(make_cone({0, 0, 0}, 0, {0, 1, 0}, 0, false));
   EXPECT_FALSE(make_torus(1, 0));
   EXPECT_TRUE(make_torus(0, 1));
-  EXPECT_FALSE(make_disc({0, 0, 0}, {0, 1, 0}, 1, 1));
   EXPECT_FALSE(make_quadric({0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
   EXPECT_FALSE(make_prism({{{0, 0}, {1, 0}}}, 0, 1, false));
 }

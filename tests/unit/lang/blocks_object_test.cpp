@@ -185,7 +185,9 @@ TEST(Object, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("union { shpere { 0, 1 } box { 0, 1 } }"), "E0202");
   EXPECT_EQ(codes("union { }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 scale <1, 0, 1> }"), "E0350");
-  EXPECT_EQ(codes("sphere { 0, 1 matrix <1, 0, 0, 2, 0, 0, 0, 0, 1, 5, 6, 7> }"), "E0351");
+  EXPECT_EQ(codes("sphere { 0, 1 matrix <1, 1, 0, 2, 2, 0, 0, 0, 1, 5, 6, 7> }"), "E0351");
+  // A column of zeros is mended, as a scale of 0.
+  EXPECT_EQ(codes("sphere { 0, 1 matrix <1, 0, 0, 2, 0, 0, 0, 0, 1, 5, 6, 7> }"), "E0350");
   EXPECT_EQ(codes("pigment { rgb 1 }"), "E0255");
   EXPECT_EQ(codes("ovus { 1, Radius }"), "E0901");
   EXPECT_EQ(codes("union { ovus { 1, 1 } translate x }"), "E0901");
