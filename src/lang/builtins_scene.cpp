@@ -83,15 +83,12 @@ ObjectQuery const* object_argument(CallContext& context, ast::Call const& node) 
     return nullptr;
   }
   if (known.lock() != *object || !query) {
-    query.reset();
-    if (auto made = ObjectQuery::of(**object)) query.emplace(std::move(*made));
+    query.emplace(ObjectQuery::of(**object));
     known = *object;
   }
-  if (!query && !deferred.empty())
-    context.failed = true;
-  else if (!query)
-    context.fail("this object has no shape");
-  return query ? &*query : nullptr;
+  if (!query->nothing() || deferred.empty()) return &*query;
+  context.failed = true;
+  return nullptr;
 }
 
 /// A vector argument; nullopt after a complaint.
@@ -137,14 +134,17 @@ Numeric trace(CallContext& context, ast::Call const& node) {
   return vector_of(hit ? hit->point : Vec3(0));
 }
 
-Numeric min_extent(CallContext& context, ast::Call const& node) {
+Numeric extent(CallContext& context, ast::Call const& node, Vec3 geometry::Bounds::*corner) {
   ObjectQuery const* const object = object_argument(context, node);
-  return object ? vector_of(object->bounds().low) : poison();
+  if (!object) return poison();
+  if (object->nothing()) return context.fail("this object is nothing: it has no extent");
+  return vector_of(object->bounds().*corner);
 }
-
+Numeric min_extent(CallContext& context, ast::Call const& node) {
+  return extent(context, node, &geometry::Bounds::low);
+}
 Numeric max_extent(CallContext& context, ast::Call const& node) {
-  ObjectQuery const* const object = object_argument(context, node);
-  return object ? vector_of(object->bounds().high) : poison();
+  return extent(context, node, &geometry::Bounds::high);
 }
 
 Builtin special(std::string_view name, Numeric (*compute)(CallContext&, ast::Call const&)) {

@@ -15,40 +15,39 @@ public:
   std::vector<geometry::PlacedShape> primitives;
 
   /// @param outer the object's parent's space -> the space of the question
-  std::optional<CsgTree> tree(scene::Object const& object, Transform const& outer) {
+  CsgTree tree(scene::Object const& object, Transform const& outer) {
     Transform const placed = object.placement.then(outer);
     CsgTree out;
     if (object.kind == scene::Object::Kind::Shape) {
       out.primitive = static_cast<geometry::PrimitiveId>(primitives.size());
       primitives.push_back({object.shape, placed});
     } else {
-      out.op = object.kind == scene::Object::Kind::Intersection ? CsgTree::Op::Intersection
-               : object.kind == scene::Object::Kind::Difference ? CsgTree::Op::Difference
-                                                                : CsgTree::Op::Merge;
-      for (auto const& child : object.children)
-        if (auto part = tree(child, placed)) out.children.push_back(std::move(*part));
-      if (out.children.empty()) return std::nullopt;
+      // A merge of no children is nothing, as an operand too.
+      out.op = object.children.empty()                            ? CsgTree::Op::Merge
+               : object.kind == scene::Object::Kind::Intersection ? CsgTree::Op::Intersection
+               : object.kind == scene::Object::Kind::Difference   ? CsgTree::Op::Difference
+                                                                  : CsgTree::Op::Merge;
+      for (auto const& child : object.children) out.children.push_back(tree(child, placed));
     }
     out.inverse = object.inverse;
     if (object.clipped_by.empty()) return out;
     CsgTree clipped;
     clipped.op = CsgTree::Op::Clip;
     clipped.children.push_back(std::move(out));
-    for (auto const& by : object.clipped_by)
-      if (auto part = tree(by, outer)) clipped.children.push_back(std::move(*part));
+    for (auto const& by : object.clipped_by) clipped.children.push_back(tree(by, outer));
     return clipped;
   }
 };
 
 } // namespace
 
-std::optional<ObjectQuery> ObjectQuery::of(scene::Object const& object) {
+ObjectQuery ObjectQuery::of(scene::Object const& object) {
   Collector collector;
   auto tree = collector.tree(object, {});
-  if (!tree) return std::nullopt;
   std::vector<geometry::World::Solid> solids;
-  solids.push_back({std::move(*tree), 0xff});
-  return ObjectQuery(geometry::World(std::move(collector.primitives), std::move(solids)));
+  bool const nothing = collector.primitives.empty();
+  if (!nothing) solids.push_back({std::move(tree), 0xff});
+  return ObjectQuery(geometry::World(std::move(collector.primitives), std::move(solids)), nothing);
 }
 
 std::optional<ObjectQuery::Hit> ObjectQuery::trace(Vec3 const& start, Vec3 const& direction) const {

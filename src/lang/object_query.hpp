@@ -14,8 +14,7 @@ namespace abbe::lang {
 /// An object as the geometry library sees it: one solid in the space that it was declared in.
 class ObjectQuery {
 public:
-  /// nullopt for an object without shapes (an empty union).
-  static std::optional<ObjectQuery> of(scene::Object const& object);
+  static ObjectQuery of(scene::Object const& object);
 
   struct Hit {
     Vec3 point{0};
@@ -24,12 +23,15 @@ public:
   /// The nearest surface from `start` on along `direction` (not zero).
   std::optional<Hit> trace(Vec3 const& start, Vec3 const& direction) const;
   bool inside(Vec3 const& point) const;
+  /// Is it without shapes (an empty union, a sphere of radius 0)? Then it has no bounds.
+  bool nothing() const { return nothing_; }
   /// Infinite objects reach 1e10 in each direction.
   geometry::Bounds bounds() const;
 
 private:
-  explicit ObjectQuery(geometry::World world) : world_(std::move(world)) {}
+  ObjectQuery(geometry::World world, bool nothing) : world_(std::move(world)), nothing_(nothing) {}
   geometry::World world_;
+  bool nothing_;
 };
 
 } // namespace abbe::lang
