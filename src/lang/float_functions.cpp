@@ -24,7 +24,7 @@ constexpr FloatFunction table[] = {
     {"degrees", 1, [](double a, double) { return a * (180 / pi); }},
     {"exp", 1, [](double a, double) { return std::exp(a); }},
     {"floor", 1, [](double a, double) { return std::floor(a); }},
-    {"int", 1, [](double a, double) { return std::trunc(a); }},
+    {"int", 1, [](double a, double) { return std::trunc(a) + 0.0; }}, // no -0
     {"ln", 1, [](double a, double) { return std::log(a); }},
     {"log", 1, [](double a, double) { return std::log10(a); }},
     {"mod", 2, [](double a, double b) { return std::fmod(a, b); }},

@@ -20,9 +20,9 @@ class Compiler {
 public:
   Compiler(Interpreter& in, FunctionValue& out, ast::Function const& tree) : in_(in), out_(out) {
     if (tree.has_parameters) {
-      for (auto const& name : tree.parameters) names_.push_back({name.text, slots_++});
+      for (auto const& name : tree.parameters) names_.push_back({axis(name.text), slots_++});
     } else {
-      names_ = {{"x", 0}, {"y", 1}, {"z", 2}, {"u", 0}, {"v", 1}};
+      names_ = {{"x", 0}, {"y", 1}, {"z", 2}};
       slots_ = 3;
     }
     out_.parameters = slots_;
@@ -37,7 +37,7 @@ public:
   std::uint32_t operator()(ast::Number const& node) { return constant(node.value); }
   std::uint32_t operator()(ast::Name const& node) {
     for (auto name = names_.rbegin(); name != names_.rend(); ++name)
-      if (name->first == node.text) return add({Kind::Parameter, 0, 0, name->second, 0});
+      if (name->first == axis(node.text)) return add({Kind::Parameter, 0, 0, name->second, 0});
     return capture(in_.expressions.name(node), node.span);
   }
   std::uint32_t operator()(ast::Unary const& node) {
@@ -78,6 +78,10 @@ public:
   }
 
 private:
+  /// u and v are other names of x and y.
+  static std::string_view axis(std::string_view name) {
+    return name == "u" ? "x" : name == "v" ? "y" : name;
+  }
   std::uint32_t add(Node node) {
     out_.nodes.push_back(node);
     return static_cast<std::uint32_t>(out_.nodes.size() - 1);

@@ -13,6 +13,9 @@ POVRAYS = 12  # povray mostly sleeps: these take a third of one processor
 DONE = 'the end of the scenes'
 
 
+DIAGNOSTIC = re.compile(r'  |s\d+\.pov:')  # lines of a message of abbe's
+
+
 class Verdict:
     """Is a scene read, what is said of it if not, and what #debug says."""
 
@@ -49,7 +52,7 @@ def ask_abbe(program: str, path: pathlib.Path) -> Verdict:
     if done.returncode == 1:
         found = re.search(r'error(?:\[(E\d+)\])?: (.*)', text)
         return Verdict('refuses', f'{found.group(1) or ""} {found.group(2)}' if found else text.strip()[:80])
-    return Verdict('reads', '', said('\n'.join(line for line in text.split('\n') if line.startswith('|'))))
+    return Verdict('reads', '', said('\n'.join(line for line in text.split('\n') if not DIAGNOSTIC.match(line))))
 
 
 # ---------------------------------------------------------------------------------------- povray

@@ -1,11 +1,48 @@
 # SPDX-License-Identifier: MIT
-"""The differences that docs/compatibility.md has a row for: for `differential`."""
-KNOWN = []
+"""The differences that docs/compatibility.md has a row for: for `differential`.
+
+Each is told by what both programs say and by the scene, in which names are N1, N2, numbers 1 and strings ""
+(shrink.shape()): the one program reads it, so that what the other says is all that differs.
+"""
+import pathlib
+import re
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / 'docs/compatibility.md'
+ANY = ''
+
+# Beginning of the row; what povray and abbe say of the scene ('': it is read); the scene.
+KNOWN = [
+    ('| `acosh(0.5)`, `atanh(2)`', r'', r'E0306 (acosh|atanh|asin|acos|pow|mod|div|vaxis_rotate|atan2): '
+     r'(not defined|division by zero|0 to the power|the axis has no).*', ANY),
+    ('| `substr` from character 0 or before |', r'', r'E0306 substr: .* characters from number -?0 on .*', ANY),
+    ('| `t` as a value alone', r"Expected 'RValue to declare', t found instead", r'', r'.*= t .*'),
+    ('| `t` as a value alone', r'Insufficent number of initializers', r'', r'.*array(?: \[ 1 \])+ \{(?:.*[{,])? t .*'),
+    ('| `t` as a value alone', r'Expected \d parameters but only \d found\.', r'', r'.*N\d+ \((?:.*,)? t [,)].*'),
+    ('| `#local A = A + 1;` in a macro', r'Cannot assign uninitialized identifier\.', r'', r'.*#local (N\d+) = \1 .*'),
+    ('| `#local A = A + 1;` in a macro', r"Expected '.*', undeclared identifier '\w+' found instead", r'',
+     r'.*#local (N\d+) = .*\b\1\b.*'),
+    ('| `#local A[0] = 1;` of an outer', r"Expected '=', \[ found instead", r'', r'.*#local N\d+ \[.*'),
+    ("| a macro's name for a value", r"Expected 'undeclared identifier', .* found instead", r'',
+     r'.*(?:#declare|#local|#macro) .*'),
+    ("| a macro's name for a value", r'Attempted to redefine .* identifier as .* identifier\.', r'', ANY),
+    ("| a parameter of the macro's own name", r"Can't invoke a macro while declaring its parameters", r'',
+     r'.*#macro (N\d+) \(.*\b\1\b.*'),
+    ('| one comma too many', r"Expected '.*', , found instead", r'', r'.*(?:<|\(|,) ,.*'),
+    ('| division by 0 in a `function { }` by constants', r'Division by zero\.', r'', r'.*function .*/.*'),
+]
 
 
-def row_of(difference) -> str:
-    """The row that tells of this difference, or nothing."""
-    for row, is_it in KNOWN:
-        if is_it(difference):
+def missing_rows() -> list:
+    page = PAGE.read_text(encoding='utf-8')
+    return [row for row, *_ in KNOWN if f'\n{row}' not in page]
+
+
+def row_of(theirs, ours, shape: str) -> str:
+    """The row that tells of a difference in what is read, or nothing. @param theirs, ours the verdicts"""
+    if theirs.state == ours.state:
+        return ''
+    for row, povray, abbe, scene in KNOWN:
+        if (re.fullmatch(povray, theirs.message) and re.fullmatch(abbe, ours.message)
+                and (scene == ANY or re.fullmatch(scene, shape))):
             return row
     return ''

@@ -59,12 +59,13 @@ MEMBERS = {2: ['x', 'y', 'u', 'v', 'red', 'green'], 3: ['x', 'y', 'z', 'u', 'v',
 class Writer:
     """Writes one scene. The same seed gives the same scene with every version of Python."""
 
-    def __init__(self, seed: str) -> None:
+    def __init__(self, seed: str, slips: float) -> None:
+        self.share_of_slips = slips
         self.random = random.Random(seed)
         self.names = Names()
         self.loops = 0
         self.fixed = set()  # which of FIXED_NAMES are taken
-        self.slips = 0.004 if self.chance(0.3) else 0.0  # how often an expression has another type
+        self.slips = 0.004 if self.chance(slips) else 0.0  # how often an expression has another type
 
     # ------------------------------------------------------------------------------------ chance
     def chance(self, share: float) -> bool:
@@ -105,7 +106,7 @@ class Writer:
         return self.weighted([
             (8, whole), (3, f'{whole}.5'), (1, f'{whole}.'), (1, '.25'), (2, f'{whole}.125'),
             (1, f'{whole}e1'), (0.5, f'{whole}.5E-1'), (0.5, '1e+2'), (0.3, f'0{whole}'), (0.3, '.5e1'),
-            (0.3, '1e-9'), (0.3, '0.0000000001'), (0.3, '123456789'), (0.2, '.1'), (0.2, f'{whole}.e0')])
+            (0.3, '1e-9'), (0.3, '0.0000000001'), (0.3, '65536.5'), (0.2, '.1'), (0.2, f'{whole}.e0')])
 
     def float_atom(self) -> Node:
         names = self.names.of(lambda kind: kind == ('f',))
@@ -192,7 +193,7 @@ class Writer:
         """A vector that a member can follow."""
         if self.chance(0.4):
             return Node(f'v{size}', '(', self.vector(depth + 1, size), ')')
-        return self.literal_vector(size, depth + 1)
+        return self.literal_vector(size, depth + 1) if size < 5 else self.colour_value(MAX_DEPTH)
 
     def of_string(self, depth: int) -> Node:
         def text():
@@ -273,6 +274,8 @@ class Writer:
         size = size or self.weighted([(2, 2), (6, 3), (1, 4), (1, 5)])
         if self.chance(self.slips):
             return self.string(depth + 1)
+        if size == 5:
+            return self.colour_value(depth)
         if depth >= MAX_DEPTH or self.chance(0.3):
             return self.vector_atom(size, depth)
         kind = f'v{size}'
@@ -292,9 +295,9 @@ class Writer:
             return self.weighted([
                 (1, lambda: Node(kind, 'vcross', '(', self.vector(depth + 1, 3), ',', self.vector(depth + 1, 3), ')')),
                 (1, lambda: Node(kind, 'vnormalize', '(', self.vector(depth + 1, 3), ')')),
-                (1, lambda: Node(kind, 'vrotate', '(', self.vector(depth + 1, 3), ',', self.vector(depth + 1, 3), ')')),
-                (1, lambda: Node(kind, 'vaxis_rotate', '(', self.vector(depth + 1, 3), ',', self.vector_atom(3, 3), ',',
-                                 self.float(depth + 1), ')')),
+                (1, lambda: Node(kind, 'vrotate', '(', self.vector(depth + 1, 3), ',', self.angles(), ')')),
+                (1, lambda: Node(kind, 'vaxis_rotate', '(', self.vector(depth + 1, 3), ',', self.angles(), ',',
+                                 Node('f', self.pick(['30', '-90', '7.5', '400'])), ')')),
             ])()
         return self.weighted([
             (5, product), (2 if size == 3 else 0, three), (2, lambda: self.user_call(depth, ('v', size))),
@@ -307,11 +310,28 @@ class Writer:
             (2, lambda: self.element_vector(size, depth)),
         ])()
 
+    def angles(self) -> Node:
+        """Degrees that do not make much of the last digits of what is turned."""
+        return Node('v3', '<', *comma_list([self.pick(['0', '90', '-30', '45.5', '400', '1e1']) for _ in range(2)]), ',', '7', '>')
+
+    def colour_value(self, depth: int) -> Node:
+        """Five components, of which POV-Ray keeps some seven digits: numbers that these hold."""
+        names = self.names.of(lambda kind: kind == ('v', 5))
+        if names and self.chance(0.4):
+            return Node('v5', self.pick(names))
+        if depth < MAX_DEPTH and self.chance(0.3):
+            right = self.pick([Node('f', self.pick(['2', '0.5', '-1'])), self.colour_value(depth + 1)])
+            return Node('v5', self.colour_value(depth + 1), self.pick(['+', '-', '*']), right)
+        numbers = [self.pick(['0', '1', '0.5', '.25', '-2', '3', '1.5']) for _ in range(5)]
+        return Node('v5', '<', *comma_list(numbers), '>')
+
     def vector_atom(self, size: int, depth: int) -> Node:
         names = self.names.of(lambda kind: kind == ('v', size))
         if names and self.chance(0.5):
             return Node(f'v{size}', self.pick(names))
         axes = {2: ['u', 'v'], 3: ['x', 'y', 'z'], 4: ['t']}.get(size)
+        if size == 5:
+            return self.colour_value(MAX_DEPTH)
         if axes and self.chance(0.3) and (depth or size < 4):  # no value is `t` alone
             return Node(f'v{size}', self.pick(axes))
         return self.literal_vector(size, depth + 1)
@@ -377,7 +397,7 @@ class Writer:
 
     def atom(self, kind: tuple) -> Node:
         if kind[0] == 'v':
-            return self.vector_atom(kind[1], MAX_DEPTH)
+            return self.vector_atom(kind[1], 0)
         return Node('s', self.literal_string()) if kind[0] == 's' else self.float_atom()
 
     def some_kind(self) -> tuple:

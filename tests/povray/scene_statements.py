@@ -13,8 +13,8 @@ COLOURS = [('rgb', 3), ('rgbf', 4), ('rgbt', 4), ('rgbft', 5)]
 class StatementWriter(Writer):
     """Writes the statements of one scene."""
 
-    def __init__(self, seed: str) -> None:
-        super().__init__(seed)
+    def __init__(self, seed: str, slips: float) -> None:
+        super().__init__(seed, slips)
         self.depth = 0
 
     # ------------------------------------------------------------------------------------ helpers
@@ -204,7 +204,7 @@ class StatementWriter(Writer):
         counter, names = self.counter()
         start = Node('stmt', '#declare', counter, '=', '0', ';')
         step = Node('any', '#declare', counter, '=', counter, '+', self.pick(['1', '0.5', '2']), ';')
-        more = ['&', *self.comparison(2)] if self.chance(0.2) else []
+        more = ['&', '(', *self.comparison(2), ')'] if self.chance(0.2) else []
         loop = Node('stmt', '#while', '(', counter, '<', self.pick(['2', '3', '1']), *more, ')', step,
                     self.loop_body(counter, names), '#end')
         return Node('stmt', start, loop)
@@ -267,7 +267,7 @@ class StatementWriter(Writer):
         return Node('stmt', name, '(', *comma_list(arguments), ')', *([';'] if self.chance(0.02) else []))
 
     def function(self) -> Node:
-        parameters = self.weighted([(3, []), (2, ['x']), (2, ['x', 'y']), (2, ['Ga', 'Gb']), (1, ['u', 'v', 'x'])])
+        parameters = self.weighted([(3, []), (2, ['x']), (2, ['x', 'y']), (2, ['Ga', 'Gb']), (1, ['u', 'v'])])
         body = self.function_value(parameters or ['x', 'y', 'z'], 0)
         name = self.fixed_name()
         self.names.types[name] = ('function', len(parameters) or 3)
@@ -294,8 +294,8 @@ class StatementWriter(Writer):
         return self.weighted([
             (8, lambda: Node('g', one(), self.weighted([(3, '+'), (3, '-'), (3, '*'), (1, '/')]), one())),
             (1, lambda: Node('g', self.pick(['-', '+']), '(', one(), ')')), (3, lambda: Node('g', '(', one(), ')')),
+            (0 if depth else 2, lambda: Node('g', one(), self.pick(COMPARISONS_IN_FUNCTIONS), one())),
             (1.5, lambda: Node('g', '(', one(), self.pick(COMPARISONS_IN_FUNCTIONS), one(), ')')),
-            (0.5, lambda: Node('g', one(), self.pick(COMPARISONS_IN_FUNCTIONS), one())),
             (4, lambda: call(self.pick(['abs', 'ceil', 'cos', 'degrees', 'floor', 'int', 'radians', 'sin', 'tan', 'atan',
                                         'tanh', 'asinh', 'exp', 'sqrt']), one())),
             (1, lambda: call(self.pick(['min', 'max']), *[one() for _ in range(2 + self.below(2))])),
@@ -309,7 +309,7 @@ class StatementWriter(Writer):
         names = self.names.of(lambda kind: kind == ('f',))
         if names and self.chance(0.7):
             return Node('g', self.pick(names))
-        return Node('g', self.pick(['pi', 'clock', self.number()]))
+        return Node('g', self.pick(['pi', self.number()]))
 
     def spline(self) -> Node:
         size = self.pick([2, 3, 3, 4])
@@ -399,7 +399,7 @@ class StatementWriter(Writer):
         for _ in range(2 + self.below(6)):
             root.parts.append(self.statement())
         root.parts += [self.debug(), self.debug_all()]
-        if self.chance(0.2):
+        if self.chance(self.share_of_slips):
             for _ in range(1 + self.below(2)):
                 self.slip(root)
         return root
@@ -433,7 +433,7 @@ class StatementWriter(Writer):
 
 COMPARISONS_IN_FUNCTIONS = ['<', '<=', '=', '>=', '>', '!=', '&', '|']
 WORD = re.compile(r'[A-Za-z0-9_."#]')
-STYLES = [(14, 'plain'), (2, 'tight'), (2, 'wide'), (1, 'crlf'), (0.5, 'cr')]
+STYLES = [(14, 'plain'), (2, 'tight'), (2, 'wide'), (1, 'crlf')]
 
 
 def merge(left: str, right: str) -> bool:
@@ -462,7 +462,7 @@ def lines(node: Node, style: str, writer: Writer) -> list:
         left = pieces[-1]
         if style == 'tight':
             return ' ' if merge(left, right) else ''
-        if style in ('wide', 'crlf', 'cr') and writer.chance(0.25):
+        if style in ('wide', 'crlf', 'cr') and right != '[' and writer.chance(0.25):  # no comment before '['
             return writer.pick([' ', '  ', newline, '\t', newline + '  ', ' /* c */ ', f' // c{newline}', f'/**/{newline}',
                                 ' /* a /* b */ c */ ', newline + newline])
         return plain_gap(left, right)
@@ -487,9 +487,10 @@ def lines(node: Node, style: str, writer: Writer) -> list:
     return pieces
 
 
-def write(seed: str) -> tuple:
-    """A scene: its tree and, in the style it is written in, its tokens and gaps."""
-    writer = StatementWriter(seed)
+def write(seed: str, slips: float) -> tuple:
+    """A scene: its tree and, in the style it is written in, its tokens and gaps.
+    @param slips the share of scenes that have one or two"""
+    writer = StatementWriter(seed, slips)
     root = writer.scene()
     return root, lines(root, writer.weighted(STYLES), writer)
 

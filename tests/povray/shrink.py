@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Makes scenes smaller on which two programs differ, and sorts what is left by kind: for `differential`."""
 import concurrent.futures
+import functools
 import re
 
 import judges
@@ -49,12 +50,13 @@ def signature(theirs: judges.Verdict, ours: judges.Verdict) -> tuple:
     return theirs.state, general(theirs.message), ours.state, general(ours.message)
 
 
-TOKEN = re.compile(r'//[^\r\n]*|"(?:\\.|[^"\\])*"|#\s*[a-z]+|[A-Za-z_][A-Za-z0-9_]*|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|<=|>=|!=|/\*|\S')
+TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|#\s*[a-z]+|[A-Za-z_][A-Za-z0-9_]*|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|<=|>=|!=|\S')
 OWN_NAME = re.compile(r'[A-Z][a-z_0-9]*$')
 
 
 def shape(text: str) -> str:
-    """The scene without the spelling of its names, numbers and strings."""
+    """The scene without its comments and the spelling of its names, numbers and strings."""
+    text = re.sub(r'/\*(?:[^*/]|/\*[^*/]*\*/)*\*/|//[^\r\n]*', ' ', text)
     names = {}
     tokens = []
     for token in TOKEN.findall(text):
@@ -119,21 +121,22 @@ def inner_of_kind(node: Node, kind: str) -> list:
 
 
 def smaller_trees(root: Node) -> list:
-    """Scenes with fewer statements, then with one expression made smaller."""
+    """How to make scenes with fewer statements, then with one expression made smaller."""
     all_paths = paths(root)
     statements = sorted(path for path in all_paths if at_path(root, path).kind == 'stmt')
     found, size = [], len(statements) // 2
     while size:
-        found += [without(root, statements[at:at + size]) for at in range(0, len(statements), size)]
+        found += [functools.partial(without, root, statements[at:at + size]) for at in range(0, len(statements), size)]
         size //= 2
     for path in all_paths:
         node = at_path(root, path)
+        instead = []
         if node.kind == 'stmt':
-            found += [replaced(root, path, Node('stmt', inner)) for inner in inner_of_kind(node, 'stmt')[:4]]
-        if node.kind in ATOMS:
-            size = len(node.tokens())
-            found += [replaced(root, path, Node(node.kind, atom)) for atom in ATOMS[node.kind] if size > 1]
-            found += [replaced(root, path, inner) for inner in inner_of_kind(node, node.kind) if len(inner.tokens()) > 1]
+            instead = [Node('stmt', inner) for inner in inner_of_kind(node, 'stmt')[:4]]
+        if node.kind in ATOMS and len(node.tokens()) > 1:
+            instead = [Node(node.kind, atom) for atom in ATOMS[node.kind]]
+            instead += [inner for inner in inner_of_kind(node, node.kind) if len(inner.tokens()) > 1]
+        found += [functools.partial(replaced, root, path, by) for by in instead]
     return found
 
 
@@ -142,9 +145,10 @@ class Shrinker:
         self.ask = ask
 
     def first(self, difference: Difference, candidates: list, start: int = 0) -> tuple:
-        """The first (root, pieces) from `start` on that shows the same difference, and where it is."""
-        for at in range(start, len(candidates), AT_A_TIME):
-            some = candidates[at:at + AT_A_TIME]
+        """The first of some functions that give (root, pieces) which shows the same difference, and where it is."""
+        at, count = start, 4
+        while at < len(candidates):
+            some = [make() for make in candidates[at:at + count]]
             # abbe is asked first: it is the faster one.
             answers = self.ask.ask_abbe([''.join(pieces) for _, pieces in some])
             some = [(i, root, pieces) for i, ((root, pieces), ours) in enumerate(zip(some, answers), at)
@@ -153,17 +157,23 @@ class Shrinker:
             for (i, root, pieces), (theirs, ours) in zip(some, verdicts):
                 if judges.differ(theirs, ours) and signature(theirs, ours) == difference.signature():
                     return Difference(difference.seed, root, pieces, theirs, ours), i
+            at += count
+            count = min(2 * count, AT_A_TIME)
         return None, 0
 
     def smaller(self, difference: Difference) -> Difference:
-        plain_one, _ = self.first(difference, [(difference.root, lines(difference.root, 'plain', None))])
+        root = difference.root
+        plain_one, _ = self.first(difference, [lambda: (root, lines(root, 'plain', None))])
         return self.by_tokens(self.by_tree(plain_one) if plain_one else difference)
 
     def by_tree(self, difference: Difference) -> Difference:
         start = 0
         for _ in range(MOST_ROUNDS):
-            texts = [(tree, lines(tree, 'plain', None)) for tree in smaller_trees(difference.root)]
-            found, at = self.first(difference, texts, min(start, len(texts)))
+            def made(make):
+                tree = make()
+                return tree, lines(tree, 'plain', None)
+            trees = [functools.partial(made, make) for make in smaller_trees(difference.root)]
+            found, at = self.first(difference, trees, min(start, len(trees)))
             if not found and not start:
                 break
             difference, start = found or difference, at  # what was tried before is tried again in the end
@@ -173,10 +183,11 @@ class Shrinker:
         """Without runs of tokens, as long as any can be left out."""
         size = max(len(difference.pieces) // 2, 1)
         while size:
-            pieces = difference.pieces
-            shorter = [(difference.root, pieces[:at] + pieces[at + size:]) for at in range(0, len(pieces), max(size // 2, 1))]
-            shorter = [(root, left) for root, left in shorter if ''.join(left).strip() and left != pieces
-                       and (size > 2 or shape(''.join(left)).count(',') == shape(difference.text).count(','))]
+            root, pieces = difference.root, difference.pieces
+            runs = [(at, at + size) for at in range(0, len(pieces), max(size // 2, 1))]
+            if size <= 2:  # commas are left where they are: scenes are to be read
+                runs = [(low, high) for low, high in runs if not set(pieces[low:high]) <= {',', ' ', '', '\n'}]
+            shorter = [functools.partial(lambda low, high: (root, pieces[:low] + pieces[high:]), *run) for run in runs]
             found, _ = self.first(difference, shorter)
             if found:
                 difference = found

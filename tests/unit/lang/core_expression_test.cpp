@@ -84,6 +84,17 @@ TEST(Expression, CharactersOfStrings) {
       "2 xy 8364 1 0");
 }
 
+TEST(Expression, WholeNumbersHaveNoNegativeZero) {
+  EXPECT_EQ(said("#debug concat(str(int(-0.5),0,1),str(div(1,-3),0,1),str(ceil(-0.5),0,1))"),
+            "0.00.0-0.0");
+}
+
+TEST(Expression, UAndVOfFunctionsAreXAndY) {
+  EXPECT_EQ(said("#declare F = function(u,v) { x + 2*y } #declare G = function(x,y) { u + 2*v }"
+                 "#debug concat(str(F(1,2),0,0), str(G(1,2),0,0))"),
+            "55");
+}
+
 TEST(Expression, ComponentsMayBeInfinite) {
   EXPECT_EQ(said("#declare V = <1, pow(0, -1)>; #debug str(V.y,0,1)"), "inf");
 }
