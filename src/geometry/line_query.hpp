@@ -32,6 +32,12 @@ inline bool at_start(LineQuery const& query, bool starts, Crossing const& c) {
   return starts ? c.t == 0 : query.from != nullptr && std::fabs(c.t) <= c.error;
 }
 
+/// A broken invariant of the shape unless the error of the crossing is small beside the way to it
+/// and the shape; where the line grazes the surface, it may be the root of that. Nothing in release
+/// builds.
+/// @param ray in object space
+void check_error(Shape const& shape, Ray const& ray, Crossing const& c);
+
 /// Appends the crossings of the whole line with one primitive to scratch.events.
 /// @param hidden the operand has no surface of its own
 void gather(LineQuery const& query, PrimitiveId primitive, std::uint32_t operand, bool hidden);

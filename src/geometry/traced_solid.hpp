@@ -43,9 +43,8 @@ public:
   /// Of the one primitive where it is a convex shape with both ends visible; else null.
   EndsKernel const* ends() const { return ends_; }
   bool inverse() const { return inverse_; }
-  /// For fan_cut.hpp, or null.
+  /// For fan_cut.hpp and lane_tree.hpp, or null.
   ConvexCut const* fan_cut() const { return tree_ ? tree_->fan_cut : nullptr; }
-  /// For lane_tree.hpp, or null.
   LaneTree const* lane_tree() const { return tree_ ? tree_->lanes.get() : nullptr; }
 
   /// What is reported of a solid on a line, ascending in t: a change of inside (toggles; perhaps
@@ -182,12 +181,13 @@ void TracedSolid::single_ahead(Query const& query, Take& take) const {
   if (starts ? convex_ && !start.to_inside : placed.misses(query.ray, query.until)) return;
   Crossings& crossings = query.scratch.crossings;
   crossings.clear();
-  placed.shape().crossings_ahead(placed.to_object(query.ray), starts ? &start : nullptr,
-                                 query.until, crossings);
-  sort_few(crossings);
   auto& events = query.scratch.events;
+  Ray const ray = placed.to_object(query.ray);
+  placed.shape().crossings_ahead(ray, starts ? &start : nullptr, query.until, crossings);
+  sort_few(crossings);
   bool inside = false, known = false;
   for (Crossing const& c : crossings) {
+    check_error(placed.shape(), ray, c);
     if (!(c.t > 0) || at_start(query, starts, c)) continue;
     bool const entering = c.entering != inverse_;
     // A grazing start can leave a root without its partner: a second entry is none.

@@ -65,7 +65,8 @@ Lathe::Lathe(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
 }
 
 /// The line with its direction scaled by a power of two to the length of about 1, from its closest
-/// approach to the axis (or, along the axis, to the origin).
+/// approach to the axis (or, along the axis, to the origin). A steep line may be closest far above
+/// or below: then from where it is at the nearest of the heights from `low` to `high`.
 struct Lathe::Turned {
   Line<double> line;
   Vec3 d;                       ///< scaled
@@ -75,13 +76,17 @@ struct Lathe::Turned {
   double across2 = 0, rise = 0; ///< |d_xz|^2, d.y
   bool is_level = false;
 
-  explicit Turned(Ray const& ray) : line(line_of(ray)) {
+  Turned(Ray const& ray, double low, double high) : line(line_of(ray)) {
     unit = std::exp2(-std::ilogb(vector_length(ray.direction)));
     d = ray.direction * unit;
     across2 = d.x * d.x + d.z * d.z;
     rise = d.y;
-    double const step =
+    double step =
         across2 > 0 ? -(ray.origin.x * d.x + ray.origin.z * d.z) / across2 : -ray.origin.y / d.y;
+    if (rise * rise > across2) {
+      double const a = (low - ray.origin.y) / rise, b = (high - ray.origin.y) / rise;
+      step = std::clamp(step, std::min(a, b), std::max(a, b));
+    }
     from = step * unit;
     p = ray.origin + step * d;
     is_level = std::fabs(rise) < level * std::sqrt(across2);
@@ -149,7 +154,8 @@ void Lathe::piece_crossings(Turned const& line, std::size_t k, Crossings& out) c
     double const by_height = above / line.rise;
     double const inner = g * g - line.across2 * (p2 - r * r);
     double const reach = inner > 0 ? std::sqrt(inner) : 0;
-    double const by_distance = (std::copysign(reach, by_height) - g) / line.across2;
+    double const by_distance =
+        (std::copysign(reach, by_height * line.across2 + g) - g) / line.across2;
     double const height_rate = std::fabs(y_slope / line.rise);
     double const distance_rate = std::fabs(r * r_slope) / reach;
     double const size = std::fabs(r) + std::fabs(above);
@@ -248,7 +254,7 @@ void Lathe::level_crossings(Turned const& line, Crossings& out) const {
 }
 
 void Lathe::crossings(Ray const& ray, Start const* start, Crossings& out) const {
-  Turned const line(ray);
+  Turned const line(ray, low_, high_);
   std::size_t const first = out.size();
   Vec3 const& p = line.p;
   double const near = std::sqrt(p.x * p.x + p.z * p.z);

@@ -190,14 +190,24 @@ void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings&
   std::size_t const first = out.size();
   for (PolynomialRoot const& root : roots) {
     double const step = root.at * w.unit, t = w.near.t + step;
-    Vec3 const size = glm::abs(local<false>(p + step * d).slope);
+    Vec3 const at = p + step * d;
+    Local const here = local<false>(at), sizes = local<true>(glm::abs(at));
+    Vec3 const size = glm::abs(here.slope);
     auto const moved = [&](lane::Vec<double> const& by) {
       return lane::dot({size.x, size.y, size.z}, by);
     };
     double const off = moved(w.line.origin_rounding + std::fabs(t) * w.line.direction_rounding);
+    // The polynomial along the line has the error of all of its window; what is left of the value
+    // here, and its rounding, often tell more.
+    Vec3 const place = glm::abs(at) + 2 * std::fabs(step) * glm::abs(d);
+    double const left = std::fabs(here.value) + gamma_bound(6 * (order_ + 2)) * sizes.value
+                        + moved(w.near.rounding + std::fabs(step) * w.line.direction_rounding)
+                        + gamma_bound(2) * glm::dot(sizes.slope, place);
     Crossing c;
     c.t = t;
-    c.error = w.unit * (root.error + root_motion(off, root.slope, root.bend))
+    c.error = w.unit
+                  * std::min(root.error + root_motion(off, root.slope, root.bend),
+                             root_motion(left, root.slope, root.bend))
               + gamma_bound(2) * (std::fabs(t) + std::fabs(step));
     c.slack = w.unit * root_motion(moved(w.line.slack), root.slope, root.bend);
     c.entering = !root.rising;
