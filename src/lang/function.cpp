@@ -5,6 +5,8 @@
 #include "lang/interpreter.hpp"
 #include "texture/pattern.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -287,9 +289,11 @@ struct Machine {
       return total;
     }
     default: {
-      std::vector<double> arguments(node.b);
+      std::array<double, 16> few;
+      std::vector<double> many(node.b > few.size() ? node.b : 0);
+      double* const arguments = many.empty() ? few.data() : many.data();
       for (std::uint32_t i = 0; i < node.b; ++i) arguments[i] = operand(node, i);
-      return evaluate_function(*function.called[node.c], arguments).c[0];
+      return evaluate_function(*function.called[node.c], {arguments, node.b}).c[0];
     }
     }
   }
@@ -323,11 +327,14 @@ std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpre
 
 Numeric evaluate_function(FunctionValue const& function, std::span<double const> arguments) {
   ABBE_ASSERT(arguments.size() == function.parameters && function.unsupported.empty());
-  std::vector<double> slots(std::max(function.slots, arguments.size()));
-  std::copy(arguments.begin(), arguments.end(), slots.begin());
+  std::array<double, 16> few;
+  std::vector<double> many;
+  std::size_t const size = std::max(function.slots, arguments.size());
+  if (size > few.size()) many.resize(size);
+  double* const slots = many.empty() ? few.data() : many.data();
+  std::fill(std::copy(arguments.begin(), arguments.end(), slots), slots + size, 0.0);
   Numeric n;
-  n.c[0] =
-      Machine{function, slots.data()}.run(static_cast<std::uint32_t>(function.nodes.size() - 1));
+  n.c[0] = Machine{function, slots}.run(static_cast<std::uint32_t>(function.nodes.size() - 1));
   return n;
 }
 
