@@ -79,20 +79,20 @@ plane { y, -1.6 pigment { checker rgb <.9, .3, .2>, rgb .9 } }
 
 // What the body stands beside, is cut by and is glued to; it stands on Low.
 #declare Block = box { <-2, -.35, -2>, <.1, .25, .15> }
-#macro Pair(A, B) #if (Swapped) B() A() #else A() B() #end #end
-#macro Body_and(B) #if (Swapped) object { B } object { Body } #else object { Body } object { B } #end #end
-#macro The_body() object { Body Of_one() } #end
-#macro The_block() box { <-2, -1.5, .95>, <2, .8, 1.3> texture { Other } } #end
-#macro The_stand() box { <-1.2, -1.5, -1.2>, <1.2, Low, 1.2> Of_other() } #end
-#macro Upper() difference { object { Body } plane { y, .1 } Of_one() } #end
-#macro Lower() intersection { Body_and(plane { y, .1 }) Of_other() } #end
-#macro Crossing_block() object { Block texture { Other } } #end
+#macro Pair(A, B) #if (Swapped) object { B } object { A } #else object { A } object { B } #end #end
+#declare The_body = object { Body Of_one() }
+#declare Far_block = box { <-2, -1.5, .95>, <2, .8, 1.3> texture { Other } }
+#declare Crossing_block = object { Block texture { Other } }
+#declare Stand = box { <-1.2, -1.5, -1.2>, <1.2, Low, 1.2> Of_other() }
+#declare Under = plane { y, .1 }
+#declare Upper = difference { object { Body } object { Under } Of_one() }
+#declare Lower = intersection { Pair(Body, Under) Of_other() }
 #switch (Way)
-#case (0) Pair(The_body, The_block) #break // close to it
-#case (1) #if (Clear) Pair(The_body, The_stand) #else Pair(The_body, Crossing_block) #end #break // glass on glass; through an opaque one
+#case (0) Pair(The_body, Far_block) #break // close to it
+#case (1) Pair(The_body, Crossing_block) #break // through an opaque one
 #case (2) difference { object { Body } object { Block } Of_one() } #break
-#case (3) intersection { Body_and(Block) Of_one() } #break
-#case (4) merge { Body_and(Block) Of_one() } #break
+#case (3) intersection { Pair(Body, Block) Of_one() } #break
+#case (4) merge { Pair(Body, Block) Of_one() } #break
 #case (5) Pair(Upper, Lower) #break // parted by a plane, and together again
-#case (6) Pair(The_body, The_stand) #break // on a face that it touches
+#case (6) Pair(The_body, Stand) #break // on a face that it touches
 #end
