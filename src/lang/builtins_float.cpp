@@ -32,7 +32,8 @@ Numeric plain(CallContext& context, Arguments a) {
     return context.fail(fmt::format("not defined for {}", first));
   if (name == "pow" && first == 0 && second == 0)
     return context.fail("0 to the power of 0 is not defined");
-  if (name == "atan2" && first == 0 && second == 0) return context.fail("not defined for 0, 0");
+  if (name == "atan2" && std::abs(first) <= 1e-10 && std::abs(second) <= 1e-10) // POV-Ray's zero
+    return context.fail("not defined for 0, 0");
   if (name == "mod" && second == 0) return context.fail("division by zero");
   double const value = function->compute(first, second);
   if (std::isnan(value) && !std::isnan(first) && !std::isnan(second))

@@ -233,20 +233,20 @@ struct Machine {
       return run(node.a) * run(node.b);
     case Kind::Div:
       return run(node.a) / run(node.b);
-    case Kind::And:
-      return yes(std::abs(run(node.a)) > eps && std::abs(run(node.b)) > eps);
+    case Kind::And: // comparisons in functions are exact, as POV-Ray's
+      return yes(run(node.a) != 0 && run(node.b) != 0);
     case Kind::Or:
-      return yes(std::abs(run(node.a)) > eps || std::abs(run(node.b)) > eps);
+      return yes(run(node.a) != 0 || run(node.b) != 0);
     case Kind::Less:
       return yes(run(node.a) < run(node.b));
     case Kind::LessEqual:
-      return yes(run(node.a) <= run(node.b) + eps);
+      return yes(run(node.a) <= run(node.b));
     case Kind::Equal:
-      return yes(std::abs(run(node.a) - run(node.b)) < eps);
+      return yes(run(node.a) == run(node.b));
     case Kind::NotEqual:
-      return yes(!(std::abs(run(node.a) - run(node.b)) < eps));
+      return yes(run(node.a) != run(node.b));
     case Kind::GreaterEqual:
-      return yes(run(node.a) + eps >= run(node.b));
+      return yes(run(node.a) >= run(node.b));
     case Kind::Greater:
       return yes(run(node.a) > run(node.b));
     case Kind::Negate:

@@ -13,7 +13,7 @@ namespace {
 
 using Node = FunctionValue::Node;
 using Kind = Node::Kind;
-constexpr double eps = 1e-10; ///< that of comparisons, as in function.cpp
+constexpr double eps = 1e-10; ///< that of the ends of sums, as in function.cpp
 
 Interval const everything = Interval::everything();
 
@@ -27,18 +27,17 @@ Truth truth(bool never, bool always) {
   return always ? Truth::Yes : never ? Truth::No : Truth::Open;
 }
 Truth is_set(Interval const& x) {
-  return truth(x.size() <= eps, x.low > eps || x.high < -eps);
+  return truth(x.size() == 0, x.low > 0 || x.high < 0);
 }
 Truth less(Interval const& a, Interval const& b) {
   return truth(a.low >= b.high, a.high < b.low);
 }
-/// a <= b + eps
+/// a <= b
 Truth less_equal(Interval const& a, Interval const& b) {
-  return truth(a.low > b.high + 2 * eps, a.high <= b.low);
+  return truth(a.low > b.high, a.high <= b.low);
 }
 Truth equal(Interval const& a, Interval const& b) {
-  return truth(a.low - b.high > 2 * eps || b.low - a.high > 2 * eps,
-               a.high - b.low < eps && b.high - a.low < eps);
+  return truth(a.low > b.high || b.low > a.high, a.high <= b.low && b.high <= a.low);
 }
 Truth both(Truth a, Truth b) {
   return truth(a == Truth::No || b == Truth::No, a == Truth::Yes && b == Truth::Yes);

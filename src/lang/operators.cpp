@@ -32,9 +32,9 @@ double apply(Op op, double a, double b) {
   case Op::LessEqual:
     return yes(a <= b + eps);
   case Op::Equal:
-    return yes(std::abs(a - b) < eps);
+    return yes(std::abs(a - b) <= eps);
   case Op::NotEqual:
-    return yes(!(std::abs(a - b) < eps));
+    return yes(std::abs(a - b) > eps);
   case Op::GreaterEqual:
     return yes(a + eps >= b);
   case Op::Greater:

@@ -81,9 +81,14 @@ Numeric SplineValue::at(double key, Kind how) const {
   Numeric n;
   n.size = size;
   if (points.empty()) return n;
-  // Cubic pieces need a neighbour on both sides.
-  bool const short_cubic = how == Kind::Cubic && points.size() < 4;
-  if (short_cubic) how = Kind::Linear;
+  // Cubic pieces need a neighbour on both sides. POV-Ray's splines of fewer points stay in one
+  // place.
+  if (how == Kind::Cubic && points.size() < 4) {
+    Point const& low = points[(points.size() - 1) / 2];
+    Point const& high = points[points.size() / 2];
+    for (std::size_t c = 0; c < size; ++c) n.c[c] = (low.value.c[c] + high.value.c[c]) / 2;
+    return n;
+  }
   std::size_t const margin = how == Kind::Cubic ? 1 : 0;
   Point const& first = points[margin];
   Point const& last = points[points.size() - 1 - margin];

@@ -13,7 +13,7 @@ POVRAYS = 12  # povray mostly sleeps: these take a third of one processor
 DONE = 'the end of the scenes'
 
 
-DIAGNOSTIC = re.compile(r'  |s\d+\.pov:')  # lines of a message of abbe's
+DIAGNOSTIC = re.compile(r'^  .*$|s\d+\.pov:.*$', re.MULTILINE)  # what belongs to a message of abbe's
 
 
 class Verdict:
@@ -52,7 +52,7 @@ def ask_abbe(program: str, path: pathlib.Path) -> Verdict:
     if done.returncode == 1:
         found = re.search(r'error(?:\[(E\d+)\])?: (.*)', text)
         return Verdict('refuses', f'{found.group(1) or ""} {found.group(2)}' if found else text.strip()[:80])
-    return Verdict('reads', '', said('\n'.join(line for line in text.split('\n') if not DIAGNOSTIC.match(line))))
+    return Verdict('reads', '', said(DIAGNOSTIC.sub('', text)))
 
 
 # ---------------------------------------------------------------------------------------- povray
@@ -174,8 +174,10 @@ class Judges:
             likely = [i for i, verdict in enumerate(ours) if verdict.state == 'reads']
             unlikely = [i for i, verdict in enumerate(ours) if verdict.state != 'reads']
             list(self.povrays.map(povray.ask, groups(likely, unlikely)))
-            # A difference may come from the scenes before it in the run: those are asked alone.
-            alone = [i for i, verdict in enumerate(ours) if len(new) > 1 and differ(povray.verdicts[i], verdict)]
+            # A difference may come from the scenes before it in the run, which may also swallow a scene: those are
+            # asked alone.
+            alone = [i for i, verdict in enumerate(ours)
+                     if povray.verdicts[i] is None or len(new) > 1 and differ(povray.verdicts[i], verdict)]
             list(self.povrays.map(povray.ask_alone, alone))
         for text, theirs, our in zip(new, povray.verdicts, ours):
             self.kept[text] = (theirs, our)

@@ -260,15 +260,13 @@ class Writer:
             if self.chance(0.3):
                 return Node('f', 'dimensions', '(', name, ')')
             return Node('f', 'dimension_size', '(', name, ',', self.pick(['1', '2', '1', '3']), ')')
-        return Node('f', 'defined', '(', self.pick(FREE_NAMES), ')')
+        return Node('f', 'defined', '(', self.pick(FIXED_NAMES), ')')
 
     # ------------------------------------------------------------------------------------ vectors
     def literal_vector(self, size: int, depth: int) -> Node:
-        comma = ',' if not self.chance(0.03) else ''
-        parts = []
-        for i in range(size):
-            parts += ([comma] if i and comma else []) + [self.float(max(depth, 2))]
-        return Node(f'v{size}', '<', *parts, '>')
+        if self.chance(0.03):
+            return Node(f'v{size}', '<', *[Node('f', self.number()) for _ in range(size)], '>')
+        return Node(f'v{size}', '<', *comma_list([self.float(max(depth, 2)) for _ in range(size)]), '>')
 
     def vector(self, depth: int = 0, size: int = 0) -> Node:
         size = size or self.weighted([(2, 2), (6, 3), (1, 4), (1, 5)])
@@ -380,8 +378,11 @@ class Writer:
 
     def shown_vector(self, depth: int) -> Node:
         size = 2 + self.below(4)
-        count = size if self.chance(0.8) else self.pick([0, 1, 2, 3, 4, 5, 6])
-        value = self.vector(depth, size) if not self.chance(0.1) else Node('f', self.number())
+        count, value = size, self.vector(depth, size)
+        if self.chance(0.2):  # of other values POV-Ray shows what is in memory
+            count, value = self.pick([0, 1, 2, 3, 4, 5, 6]), self.literal_vector(size, MAX_DEPTH)
+        elif self.chance(0.1):
+            value = Node('f', self.number())
         return Node('s', 'vstr', '(', str(count), ',', value, ',', self.pick(['","', '" "', '"/"', '""']), ',', '0', ',',
                     self.pick(['3', '5', '0']), ')')
 

@@ -238,7 +238,8 @@ class StatementWriter(Writer):
         statements = self.body(names, self.below(3) + (1 if result[0] == 'none' else 0)) \
             if result[0] == 'none' or self.chance(0.5) else Node('any')
         outer, self.names = self.names, names
-        value = [self.of_kind(result)] if result[0] != 'none' else []
+        value = ['(', self.of_kind(result), ')'] if result[0] not in ('none', 's') else \
+            [self.of_kind(result)] if result[0] == 's' else []
         if value and self.chance(0.15):
             value = ['#if', '(', *self.comparison(2), ')', *value, '#else', self.of_kind(result, 1), '#end']
         self.names = outer
@@ -317,8 +318,6 @@ class StatementWriter(Writer):
         kind = self.pick([[], ['linear_spline'], ['quadratic_spline'], ['cubic_spline'], ['natural_spline']])
         points = []
         for key in ['0', '1', '2', '3.5', '5'][:1 + self.below(5)]:
-            if self.chance(0.1):
-                key = self.number()
             points += [Node('stmt', Node('f', key), ',', self.vector(2, size), *([','] if self.chance(0.6) else []))]
         self.names.types[name] = ('spline', 1, ('v', size))
         return Node('stmt', self.declaring(), name, '=', 'spline', '{', *kind, *points, '}', *([';'] if self.chance(0.2) else []))

@@ -95,6 +95,26 @@ TEST(Expression, UAndVOfFunctionsAreXAndY) {
             "55");
 }
 
+TEST(Expression, NumbersAreEqualWithinATolerance) {
+  EXPECT_EQ(said("#debug concat(str((1e-10=0),0,0), str((1e-10!=0),0,0), str((1.1e-10=0),0,0))"),
+            "100");
+}
+
+TEST(Expression, ComparisonsInFunctionsAreExact) {
+  EXPECT_EQ(
+      said("#declare F = function(x) { (x!=0) + 10*(x=0) + 100*(x<=0) + 1000*(0>=x) + 10000*(x&1) }"
+           "#debug concat(str(F(1e-11),0,0),\" \",str(F(0),0,0),\" \",str(F(-1e-11),0,0))"),
+      "10001 1110 11101");
+}
+
+TEST(Expression, CubicSplinesOfFewPointsStayInOnePlace) {
+  EXPECT_EQ(said("#declare S = spline { cubic_spline 0, <0,0>, 1, <10,20> } #debug "
+                 "vstr(2,S(0.2),\" \",0,0)"
+                 "#declare T = spline { cubic_spline 0, <0,0>, 1, <10,20>, 2, <0,5> }"
+                 "#debug concat(\" \",vstr(2,T(0.2),\" \",0,0))"),
+            "5 10 10 20");
+}
+
 TEST(Expression, ComponentsMayBeInfinite) {
   EXPECT_EQ(said("#declare V = <1, pow(0, -1)>; #debug str(V.y,0,1)"), "inf");
 }
