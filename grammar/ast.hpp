@@ -130,12 +130,14 @@ struct Index {
   std::vector<Expr> subscripts;
 };
 /// `F(a, b)`: a macro, a user function, a spline, a built-in function, or (commas being optional)
-/// a plain value followed by a parenthesised one. Which, is known when it is evaluated.
-/// Each argument is a list of items: one expression as a rule, more where directives stand inside.
+/// a plain value followed by a parenthesised one. Which, is known when it is evaluated. `F[i](a,
+/// b)` likewise: then `element` holds one, and `callee` is the name of the array. Each argument is
+/// a list of items: one expression as a rule, more where directives stand inside.
 struct Call {
   Span span;
   Name callee;
   std::vector<Items> arguments;
+  std::vector<Index> element;
 };
 /// `( ... )`: one expression as a rule; directives may stand inside.
 struct Paren {

@@ -83,6 +83,7 @@ public:
   void operator()(ast::Call const& node) {
     line("Call", node.span, node.callee.text + (node.callee.reserved ? " reserved" : ""));
     Deeper const deeper(*this);
+    for (auto const& element : node.element) (*this)(element);
     for (auto const& argument : node.arguments) labelled("argument", argument);
   }
   void operator()(ast::Paren const& node) { nested("Paren", node.span, "", node.items); }

@@ -73,9 +73,7 @@ bool read_escape(Iterator& at, Iterator last, std::string& out) {
 
 Iterator skip_comment(Iterator first, Iterator last) {
   if (first[1] == '/') {
-    auto const* end =
-        static_cast<char const*>(std::memchr(first, '\n', static_cast<std::size_t>(last - first)));
-    return end == nullptr ? last : end;
+    return std::find_if(first, last, is_line_end);
   }
   int depth = 1;
   for (Iterator at = first + 2; last - at >= 2;) {
@@ -138,6 +136,8 @@ bool scan_string(Iterator& first, Iterator last, ScannedString& out) {
   if (first == last || *first != '"') return false;
   Iterator at = first + 1;
   while (at != last && *at != '"') {
+    if (*at == '\0')
+      throw SyntaxError{"E0101", at, at + 1, "the byte 0x00 does not belong in a string"};
     if (*at != '\\' || last - at < 2) {
       out.text += *at;
       out.raw += *at++;
@@ -154,7 +154,8 @@ bool scan_string(Iterator& first, Iterator last, ScannedString& out) {
       out.raw.append(backslash, at);
   }
   if (at == last)
-    throw SyntaxError{"E0103", first, std::find(first, last, '\n'), "this string is not closed"};
+    throw SyntaxError{"E0103", first, std::find_if(first, last, is_line_end),
+                      "this string is not closed"};
   first = at + 1;
   return true;
 }
@@ -198,6 +199,8 @@ Token scan_token(Iterator at, Iterator last) {
   } else if (scan_number(end, last, number)) {
     token.kind = TokenKind::Number;
     token.end = end;
+  } else if (*at == '\0') {
+    token.end = std::find_if(at, last, [](char c) { return c != '\0'; });
   } else if (std::strchr("{}()[]<>=!+-*/,;:?&|.#", *at) != nullptr) {
     bool const wide = last - at > 1 && at[1] == '=' && std::strchr("<>!", *at) != nullptr;
     token.kind = TokenKind::Punctuation;
@@ -228,7 +231,7 @@ std::string describe(Token const& token) {
   text = text.substr(0, longest);
   if (token.kind == TokenKind::String) return fmt::format("the string {}{}", text, dots);
   if (token.kind == TokenKind::Unknown) {
-    if (text.size() == 1 && (text[0] <= 32 || text[0] >= 127))
+    if (text[0] == '\0' || (text.size() == 1 && (text[0] <= 32 || text[0] >= 127)))
       return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(text[0]));
     if (text.size() == 1) return fmt::format("'{}'", text);
     return fmt::format("'{}{}', which cannot be read", text, dots);

@@ -34,9 +34,13 @@ inline bool is_name_start(char c) {
 inline bool is_name_char(char c) {
   return is_name_start(c) || is_digit(c);
 }
-/// Blank, line breaks, TAB, NUL and Ctrl-Z.
+/// Blank, line breaks, TAB and Ctrl-Z. Not NUL: a file that holds one is damaged.
 inline bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r') || c == '\0' || c == '\x1a';
+  return c == ' ' || (c >= '\t' && c <= '\r') || c == '\x1a';
+}
+/// LF, CR LF and CR end a line.
+inline bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
 }
 
 /// Past a comment (`first` stands on its '/'). Block comments nest. @throws SyntaxError E0102
@@ -72,7 +76,7 @@ bool scan_number(Iterator& first, Iterator last, double& value);
 /// `text` has escapes resolved (\uXXXX becomes UTF-8), `raw` is what stands between the quotes with
 /// \" made ". An unknown escape is no error in `raw`, and in a path backslashes are common: so it
 /// is noted in `bad_escape` and the parser decides.
-/// Line breaks may stand inside, as in POV-Ray. @throws SyntaxError E0103 unclosed
+/// Line breaks may stand inside, as in POV-Ray. @throws SyntaxError E0103 unclosed, E0101 a NUL
 struct ScannedString {
   std::string text;
   std::string raw;

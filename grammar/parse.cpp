@@ -125,12 +125,21 @@ private:
 
 namespace {
 
-/// Places are 32 bits wide.
-bool is_too_large(SourceFile const& source, std::vector<Diagnostic>& errors) {
-  if (source.text().size() <= std::numeric_limits<std::uint32_t>::max()) return false;
-  errors.push_back(
-      {"E0703", Severity::Error, {&source, 0, 0}, "this source is larger than 4 GiB", {}});
-  return true;
+/// Places are 32 bits wide; letters are bytes.
+bool is_unreadable(SourceFile const& source, std::vector<Diagnostic>& errors) {
+  std::string_view const text = source.text();
+  bool const large = text.size() > std::numeric_limits<std::uint32_t>::max();
+  bool const wide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  if (large)
+    errors.push_back(
+        {"E0703", Severity::Error, {&source, 0, 0}, "this source is larger than 4 GiB", {}});
+  if (wide)
+    errors.push_back({"E0101",
+                      Severity::Error,
+                      {&source, 0, 0},
+                      "this text is UTF-16: save it as UTF-8 or Latin-1",
+                      {}});
+  return large || wide;
 }
 
 } // namespace
@@ -138,7 +147,7 @@ bool is_too_large(SourceFile const& source, std::vector<Diagnostic>& errors) {
 Parsed parse(SourceFile const& source) {
   Parsed parsed;
   parsed.document.source = &source;
-  if (is_too_large(source, parsed.errors)) return parsed;
+  if (is_unreadable(source, parsed.errors)) return parsed;
   grammar::Run run(source);
   run(source.text().size(), parsed.document.items, parsed.errors);
   return parsed;
@@ -161,10 +170,18 @@ bool StatementParser::at_end() const {
 StatementParser::Piece StatementParser::next(std::size_t bytes, ast::Items& statements) {
   Piece piece;
   statements.clear();
-  impl_->refused = is_too_large(impl_->source, piece.errors);
+  impl_->refused = is_unreadable(impl_->source, piece.errors);
   if (!impl_->refused) impl_->run(bytes, statements, piece.errors);
   piece.lasting = impl_->run.take_lasting();
   return piece;
+}
+
+bool comma_behind(Span const& span) {
+  if (!span.valid()) return false;
+  std::string_view const text = span.source->text();
+  grammar::Token const next =
+      grammar::next_token(text.data() + span.end, text.data() + text.size());
+  return next.text() == ",";
 }
 
 std::string dump_tokens(SourceFile const& source) {

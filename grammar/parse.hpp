@@ -43,6 +43,9 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
+/// Does a comma stand next behind the span, but for blanks and comments? The tree has no commas.
+bool comma_behind(Span const& span);
+
 /// `abbe dump --tokens`: one token a line, `line:col kind text`.
 std::string dump_tokens(SourceFile const& source);
 /// `abbe dump --ast`: an indented tree with spans.

@@ -11,7 +11,7 @@ namespace abbe::grammar {
 /// @throws SyntaxError E0115 for a name that is no component
 void take_member(Iterator& at, Iterator last, State& state, ast::Expr& operand);
 
-/// name, `name(arguments)` or `name[i][j]`: reads the name once.
+/// name, `name(arguments)`, `name[i][j]` or `name[i][j](arguments)`: reads the name once.
 template <class Arguments, class Subscript>
 struct NameLedParser
     : x3::binary_parser<Arguments, Subscript, NameLedParser<Arguments, Subscript>> {
@@ -32,7 +32,7 @@ struct NameLedParser
     Iterator const next = skip_blanks(at, last);
     Iterator const begin = state.begin + name.span.begin;
     if (next != last && *next == '(' && !operand) {
-      ast::Call call{{}, std::move(name), {}};
+      ast::Call call{{}, std::move(name), {}, {}};
       this->left.parse(at, last, context, rcontext, call.arguments);
       call.span = state.span(begin, at);
       out = std::move(call);
@@ -42,7 +42,16 @@ struct NameLedParser
       while (this->right.parse(at, last, context, rcontext, index.subscripts.back()));
       index.subscripts.pop_back();
       index.span = state.span(begin, at);
-      out = std::move(index);
+      Iterator const behind = skip_blanks(at, last);
+      if (behind != last && *behind == '(') {
+        ast::Call call{{}, index.array, {}, {}};
+        call.element.push_back(std::move(index));
+        this->left.parse(at, last, context, rcontext, call.arguments);
+        call.span = state.span(begin, at);
+        out = std::move(call);
+      } else {
+        out = std::move(index);
+      }
     } else {
       out = std::move(name);
     }

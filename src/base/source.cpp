@@ -6,14 +6,18 @@
 namespace abbe {
 
 SourceFile::SourceFile(std::string name, FileText text)
-    : name_(std::move(name)), text_(std::move(text)) {}
+    : name_(std::move(name)), text_(std::move(text)) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  mark_ = text_.view().starts_with(mark) ? mark.size() : 0;
+}
 
 void SourceFile::index_lines() const {
   if (!line_starts_.empty()) return;
   line_starts_.push_back(0);
   std::string_view const text = this->text();
   for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
+    if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n"))
+      line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
 }
 
 SourceFile::Place SourceFile::place(std::uint32_t offset) const {
@@ -29,10 +33,8 @@ std::string_view SourceFile::line(int number) const {
   if (number < 1 || index >= line_starts_.size()) return {};
   std::size_t const begin = line_starts_[index];
   std::string_view const text = this->text();
-  std::size_t end = text.find('\n', begin);
-  if (end == std::string_view::npos) end = text.size();
-  if (end > begin && text[end - 1] == '\r') --end;
-  return text.substr(begin, end - begin);
+  std::string_view const rest = text.substr(begin);
+  return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
 SourceFile const& SourceSet::add(std::string name, FileText text) {

@@ -19,7 +19,8 @@ public:
 
   /// The path as the user would type it, for messages.
   std::string const& name() const { return name_; }
-  std::string_view text() const { return text_.view(); }
+  /// Without a byte order mark.
+  std::string_view text() const { return text_.view().substr(mark_); }
   FileText const& bytes() const { return text_; }
 
   struct Place {
@@ -27,13 +28,14 @@ public:
     int column; ///< from 1, in bytes
   };
   Place place(std::uint32_t offset) const;
-  /// The text of a line (from 1) without its line break.
+  /// The text of a line (from 1) without its line break: LF, CR LF or CR.
   std::string_view line(int number) const;
 
 private:
   void index_lines() const;
   std::string name_;
   FileText text_;
+  std::size_t mark_; ///< bytes of a byte order mark
   mutable std::vector<std::uint32_t> line_starts_; ///< filled on the first message
 };
 

@@ -125,6 +125,14 @@ Value* Expressions::element(ast::Index const& node) {
   return element_cell(node).get();
 }
 
+Value* Expressions::set_element(ast::Index const& node) {
+  Value* const found = element(node);
+  if (!found || !found->empty()) return found;
+  in_.error("E0310", fmt::format("element of array '{}' has no value yet", node.array.text),
+            node.span);
+  return nullptr;
+}
+
 /// Fills one dimension from `{ ... }`. @return false after an error
 bool Expressions::fill(ArrayValue& array, ast::Items const& items, std::size_t dimension,
                        std::size_t& next, Span span) {

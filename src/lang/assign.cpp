@@ -76,6 +76,7 @@ Value ReaderImpl::read_value() {
     value.any = string("a string");
     return value;
   case Next::Identifier:
+    comma_ = comma_behind(peek_.span);
     value = copy_of(*peek_.value);
     take();
     break;
@@ -83,6 +84,7 @@ Value ReaderImpl::read_value() {
     ast::Block const& block = *peek_.block;
     consume();
     value = block_value(block);
+    comma_ = comma_behind(block.span);
     break;
   }
   case Next::Word:
@@ -96,10 +98,10 @@ Value ReaderImpl::read_value() {
     missing("a value", "a number, a string, a block or the name of one");
     return value;
   }
-  // A layered texture is several blocks in a row.
+  // A layered texture is several blocks in a row, with no comma between.
   using LayersPtr = std::shared_ptr<scene::Layers const>;
   while (std::holds_alternative<LayersPtr>(value.any) && next() == Next::Block
-         && peek_.block->head.text == "texture") {
+         && peek_.block->head.text == "texture" && !comma_) {
     ast::Block const& block = *peek_.block;
     consume();
     Value const layer = block_value(block);
@@ -107,6 +109,7 @@ Value ReaderImpl::read_value() {
     if (auto const* more = std::get_if<LayersPtr>(&layer.any))
       layers->insert(layers->end(), (*more)->begin(), (*more)->end());
     value.any = LayersPtr(std::move(layers));
+    comma_ = comma_behind(block.span);
   }
   return value;
 }

@@ -141,19 +141,26 @@ Value Expressions::call(ast::Call const& node) {
   Symbol const symbol = in_.scope.symbol(node.callee);
   if (Builtin const* const builtin = find_builtin(symbol)) return call_builtin(in_, *builtin, node);
   Value value;
-  Value const* const callee = in_.scope.find(symbol);
-  if (!callee || callee->empty()) {
-    undeclared(node.callee);
-    return value;
-  }
-  use_deprecated(node.callee);
-  if (auto const* macro = std::get_if<MacroValue>(&callee->any)) {
+  Value const* const called = callee(node);
+  if (!called) return value;
+  if (auto const* macro = std::get_if<MacroValue>(&called->any)) {
     MacroValue const copy = *macro; // the macro may redefine itself
     return in_.reader.macro_value(node, copy);
   }
-  Numeric const n = call_numeric(node, *callee);
+  Numeric const n = call_numeric(node, *called);
   if (!n.poisoned()) value.any = n;
   return value;
+}
+
+Value const* Expressions::callee(ast::Call const& node) {
+  if (!node.element.empty()) return set_element(node.element.front());
+  Value const* const found = in_.scope.find(in_.scope.symbol(node.callee));
+  if (!found || found->empty()) {
+    undeclared(node.callee);
+    return nullptr;
+  }
+  use_deprecated(node.callee);
+  return found;
 }
 
 Numeric Expressions::call_numeric(ast::Call const& node, Value const& callee) {
@@ -173,6 +180,10 @@ Numeric Expressions::call_numeric(ast::Call const& node, Value const& callee) {
     return call_spline(*held, node, in_);
   }
   auto const held = *function;
+  if (!held->unsupported.empty()) {
+    in_.error("E0902", held->unsupported, node.span);
+    return poison();
+  }
   std::vector<double> arguments;
   ArgumentReader reader(in_, node.callee.text);
   bool good = true;
@@ -198,10 +209,6 @@ Numeric Expressions::call_numeric(ast::Call const& node, Value const& callee) {
               fmt::format("'{}' takes {} arguments, not {}", node.callee.text, held->parameters,
                           arguments.size()),
               node.span);
-    return poison();
-  }
-  if (!held->unsupported.empty()) {
-    in_.error("E0902", held->unsupported, node.span);
     return poison();
   }
   return evaluate_function(*held, arguments);

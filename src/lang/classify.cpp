@@ -4,6 +4,7 @@
 #include "lang/function.hpp"
 #include "lang/interpreter.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace abbe::lang {
@@ -46,11 +47,26 @@ void ReaderImpl::classify_name(ast::Name const& name, Span span) {
   peek_.undeclared = true;
 }
 
+void ReaderImpl::classify_element(ast::Index const& index) {
+  Value const* const value = in_.expressions.set_element(index);
+  if (value)
+    classify_value(*value, index.span);
+  else
+    classify_owned({}, index.span);
+}
+
 /// `P (R*2)`, where P is a plain value: two items written without a comma.
 ast::Call const* ReaderImpl::split_call(ast::Expr const& expr) {
   auto const* call = ast::get_if<ast::Call>(expr);
   if (!call || call->callee.reserved) return nullptr;
-  Value const* const value = in_.scope.find(in_.scope.symbol(call->callee));
+  Value const* value = in_.scope.find(in_.scope.symbol(call->callee));
+  // The elements of an array are of one type: any of them tells, without evaluating subscripts.
+  while (value && !call->element.empty()) {
+    auto const* array = std::get_if<std::shared_ptr<ArrayValue>>(&value->any);
+    if (!array) break;
+    auto const set = std::ranges::find_if((*array)->elements, [](auto& e) { return !e.empty(); });
+    value = set == (*array)->elements.end() ? nullptr : &*set;
+  }
   if (!value) return call;
   bool const callable = std::holds_alternative<MacroValue>(value->any)
                         || std::holds_alternative<std::shared_ptr<FunctionValue>>(value->any)
@@ -66,7 +82,7 @@ void ReaderImpl::classify_call(ast::Call const& call, Span span) {
   }
   Value const* const value = in_.scope.find(in_.scope.symbol(call.callee));
   auto const* macro = value ? std::get_if<MacroValue>(&value->any) : nullptr;
-  if (macro) {
+  if (macro && call.element.empty()) {
     in_.expressions.use_deprecated(call.callee);
     ++frames_.back().position;
     push_macro(call, *macro);
@@ -76,10 +92,12 @@ void ReaderImpl::classify_call(ast::Call const& call, Span span) {
     set(Next::Numeric, span);
     return;
   }
-  if (frames_.back().part == 0)
+  if (frames_.back().part > 0)
+    set(Next::Numeric, span);
+  else if (call.element.empty())
     classify_name(call.callee, call.callee.span);
   else
-    set(Next::Numeric, span);
+    classify_element(call.element.front());
   peek_.split = &call;
 }
 
@@ -100,15 +118,9 @@ void ReaderImpl::classify(ast::Expr const& expr) {
   if (ast::get_if<ast::String>(expr)) return set(Next::String, span);
   if (auto const* call = ast::get_if<ast::Call>(expr)) return classify_call(*call, span);
   if (auto const* index = ast::get_if<ast::Index>(expr)) {
-    Value const* const value = in_.expressions.element(*index);
+    classify_element(*index);
     peek_.expr = &expr;
-    if (value && value->empty()) {
-      in_.error("E0310", fmt::format("element of array '{}' has no value yet", index->array.text),
-                span);
-      return classify_owned({}, span);
-    }
-    if (!value) return classify_owned({}, span);
-    return classify_value(*value, span);
+    return;
   }
   if (ast::get_if<ast::Array>(expr) || ast::get_if<ast::Function>(expr)) {
     Value value = in_.expressions.value(expr);

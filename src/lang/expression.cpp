@@ -2,6 +2,7 @@
 #include "lang/expression.hpp"
 
 #include "lang/arrays.hpp"
+#include "lang/block_function.hpp"
 #include "lang/function.hpp"
 #include "lang/interpreter.hpp"
 #include "lang/spline.hpp"
@@ -94,11 +95,7 @@ Value Expressions::value(ast::Expr const& expr) {
     }
     undeclared(*name);
   } else if (auto const* index = ast::get_if<ast::Index>(expr)) {
-    if (Value const* const found = element(*index)) {
-      if (!found->empty()) return copy_of(*found);
-      in_.error("E0310", fmt::format("element of array '{}' has no value yet", index->array.text),
-                index->span);
-    }
+    if (Value const* const found = set_element(*index)) return copy_of(*found);
   } else if (auto const* call_node = ast::get_if<ast::Call>(expr)) {
     return call(*call_node);
   } else if (auto const* block = ast::get_if<ast::Block>(expr)) {
@@ -240,33 +237,22 @@ Numeric Expressions::operator()(ast::Member const& node) {
   Numeric const n = numeric(node.operand);
   if (n.poisoned()) return n;
   std::string_view const member = node.member.text;
-  if (member == "gray" || member == "grey")
-    return scalar_of(0.297 * n.c[0] + 0.589 * n.c[1] + 0.114 * n.c[2]);
-  constexpr std::pair<std::string_view, int> places[] = {
-      {"x", 0},   {"y", 1},     {"z", 2},    {"t", 3},      {"u", 0},       {"v", 1},
-      {"red", 0}, {"green", 1}, {"blue", 2}, {"filter", 3}, {"transmit", 4}};
-  for (auto const& [name, place] : places) {
-    if (name != member) continue;
-    if (place < n.size) return scalar_of(n.c[static_cast<std::size_t>(place)]);
-    // POV-Ray's operands grow to what their context wants; a float has all components alike.
-    if (n.size == 1) return n;
-    in_.error("E0324", fmt::format("a value of {} components has no '.{}'", n.size, member),
-              node.member.span);
+  auto const part = part_of(member);
+  if (!part) {
+    in_.error("E0324", fmt::format("there is no member '.{}'", member), node.member.span);
     return poison();
   }
-  in_.error("E0324", fmt::format("there is no member '.{}'", member), node.member.span);
+  if (*part < n.size) return scalar_of(take_part(n, *part));
+  // POV-Ray's operands grow to what their context wants; a float has all components alike.
+  if (n.size == 1) return n;
+  in_.error("E0324", fmt::format("a value of {} components has no '.{}'", n.size, member),
+            node.member.span);
   return poison();
 }
 
 Numeric Expressions::operator()(ast::Index const& node) {
-  Value const* const found = element(node);
-  if (!found) return poison();
-  if (found->empty()) {
-    in_.error("E0310", fmt::format("element of array '{}' has no value yet", node.array.text),
-              node.span);
-    return poison();
-  }
-  return to_numeric(*found, node.span);
+  Value const* const found = set_element(node);
+  return found ? to_numeric(*found, node.span) : poison();
 }
 
 Numeric Expressions::operator()(ast::Paren const& node) {

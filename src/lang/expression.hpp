@@ -38,7 +38,10 @@ public:
 
   /// `A[i][j]`: the element, or nullptr (reported). An element without a value is no error here.
   Value* element(ast::Index const&);
-  /// The same as a cell that shares ownership with its array; for call by reference and assignment.
+  /// The same, and an element without a value is reported, too.
+  Value* set_element(ast::Index const&);
+  /// element() as a cell that shares ownership with its array; for call by reference and
+  /// assignment.
   std::shared_ptr<Value> element_cell(ast::Index const&);
   /// The array that the element belongs to, nullptr (reported) when it is none.
   std::shared_ptr<ArrayValue> array_of(ast::Index const&);
@@ -76,6 +79,8 @@ public:
 
 private:
   Numeric call_numeric(ast::Call const&, Value const& callee);
+  /// What is called, nullptr (reported) when it is nothing.
+  Value const* callee(ast::Call const&);
   Value array(ast::Array const&);
   bool fill(ArrayValue&, ast::Items const&, std::size_t dimension, std::size_t& next, Span);
 

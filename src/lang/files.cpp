@@ -127,7 +127,7 @@ bool Files::exists(std::string_view name, SourceFile const* from) {
 
 SourceFile const* Files::source_of(Found&& found) {
   SourceFile const*& known = included_[found.path];
-  if (!known || known->text() != found.text.view()) {
+  if (!known || known->bytes().view() != found.text.view()) {
     known = &in_.add_source(found.path.generic_string(), std::move(found.text));
     origins_[known] = found.path.parent_path();
   }

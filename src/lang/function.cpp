@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/function.hpp"
 
+#include "lang/block_function.hpp"
 #include "lang/float_functions.hpp"
 #include "lang/interpreter.hpp"
 #include "texture/pattern.hpp"
@@ -61,6 +62,9 @@ public:
     return only ? compile(*only) : wrong("expected one expression", node.span);
   }
   std::uint32_t operator()(ast::Member const& node) {
+    auto const* const call = ast::get_if<ast::Call>(node.operand);
+    if (auto const function = call ? called(*call) : nullptr)
+      return user(*call, function, part_of(node.member.text));
     return capture(in_.expressions(node), node.span);
   }
   std::uint32_t operator()(ast::Index const& node) {
@@ -68,11 +72,13 @@ public:
   }
   std::uint32_t operator()(ast::Call const& node) {
     std::string_view const name = node.callee.text;
-    if (name == "sum" || name == "prod") return loop(node);
-    if (name == "internal" || name == "select" || name == "min" || name == "max"
-        || find_float_function(name))
+    if (node.element.empty() && (name == "sum" || name == "prod")) return loop(node);
+    if (node.element.empty()
+        && (name == "internal" || name == "select" || name == "min" || name == "max"
+            || find_float_function(name)))
       return builtin(node);
-    return user(node);
+    if (auto const function = called(node)) return user(node, function, std::nullopt);
+    return capture(in_.expressions(node), node.span);
   }
   template <class Other>
   std::uint32_t operator()(Other const& node) {
@@ -153,8 +159,21 @@ private:
       out_.parameters = 4;
       return add({Kind::NoiseGenerator, 0, 0, 0, 0});
     }
-    out_.unsupported = fmt::format("the internal function {} is not supported yet", number);
+    return unsupported(fmt::format("the internal function {} is not supported yet", number));
+  }
+  std::uint32_t unsupported(std::string why) {
+    out_.unsupported = std::move(why);
     return constant(0);
+  }
+
+  /// The function that is called, null when it is none of the user's.
+  std::shared_ptr<FunctionValue const> called(ast::Call const& node) {
+    Value const* const callee = node.element.empty()
+                                    ? in_.scope.find(in_.scope.symbol(node.callee))
+                                    : in_.expressions.set_element(node.element.front());
+    auto const* function =
+        callee ? std::get_if<std::shared_ptr<FunctionValue>>(&callee->any) : nullptr;
+    return function ? *function : nullptr;
   }
 
   /// sum(i, first, last, term)
@@ -180,25 +199,25 @@ private:
                     {first, last, term});
   }
 
-  std::uint32_t user(ast::Call const& node) {
-    Value const* const callee = in_.scope.find(in_.scope.symbol(node.callee));
-    auto const* function =
-        callee ? std::get_if<std::shared_ptr<FunctionValue>>(&callee->any) : nullptr;
-    if (!function) return capture(in_.expressions(node), node.span);
-    auto const held = *function;
+  /// @param part that is taken of what a function made of a block yields
+  std::uint32_t user(ast::Call const& node, std::shared_ptr<FunctionValue const> const& function,
+                     std::optional<int> part) {
+    if (!function->unsupported.empty()) return unsupported(function->unsupported);
+    if (function->vector && !part)
+      return wrong(
+          fmt::format("'{0}' yields a vector: take a part of it, '{0}(...).x'", node.callee.text),
+          node.span);
     auto const places = arguments(node);
     if (failed_) return 0;
-    if (!held->unsupported.empty()) {
-      out_.unsupported = held->unsupported;
-      return constant(0);
-    }
-    if (places.size() != held->parameters)
+    if (places.size() != function->parameters)
       return wrong(fmt::format("'{}' takes {} arguments, not {}", node.callee.text,
-                               held->parameters, places.size()),
+                               function->parameters, places.size()),
                    node.span);
-    out_.called.push_back(held);
-    return add_call({Kind::Function, 0, 0, static_cast<std::uint32_t>(out_.called.size() - 1), 0},
-                    places);
+    out_.called.push_back(function);
+    out_.calls_block = out_.calls_block || function->calls_block;
+    auto const index = static_cast<std::uint32_t>(out_.called.size() - 1);
+    Kind const kind = function->block ? Kind::Part : Kind::Function;
+    return add_call({kind, 0, 0, index, static_cast<double>(part.value_or(0))}, places);
   }
 
   Interpreter& in_;
@@ -293,7 +312,8 @@ struct Machine {
       std::vector<double> many(node.b > few.size() ? node.b : 0);
       double* const arguments = many.empty() ? few.data() : many.data();
       for (std::uint32_t i = 0; i < node.b; ++i) arguments[i] = operand(node, i);
-      return evaluate_function(*function.called[node.c], {arguments, node.b}).c[0];
+      return take_part(evaluate_function(*function.called[node.c], {arguments, node.b}),
+                       static_cast<int>(node.value));
     }
     }
   }
@@ -305,15 +325,14 @@ std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpre
   auto function = std::make_shared<FunctionValue>();
   Compiler compiler(in, *function, tree);
   in.reader.enter_region(tree.body, tree.span);
-  ast::Expr const* const body = in.reader.take_expression();
-  bool good = body != nullptr;
-  if (!body) {
+  bool const made_of_block = in.reader.next() == Next::Block;
+  if (made_of_block) read_block_function(in.reader, *function);
+  function->calls_block = made_of_block;
+  ast::Expr const* const body = made_of_block ? nullptr : in.reader.take_expression();
+  bool good = body != nullptr || function->block || !function->unsupported.empty();
+  if (!good && !made_of_block) {
     in.error("E0318", "expected the expression of a function", tree.span);
-  } else if (auto const* block = ast::get_if<ast::Block>(*body)) {
-    function->unsupported =
-        fmt::format("a function made of '{} {{ ... }}' is not supported yet", block->head.text);
-    while (!in.reader.at_end()) in.reader.skip();
-  } else {
+  } else if (body) {
     std::uint32_t const result = compiler.compile(*body);
     good = !compiler.failed();
     if (good && result + 1 != function->nodes.size())
@@ -327,6 +346,7 @@ std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpre
 
 Numeric evaluate_function(FunctionValue const& function, std::span<double const> arguments) {
   ABBE_ASSERT(arguments.size() == function.parameters && function.unsupported.empty());
+  if (function.block) return function.block(arguments);
   std::array<double, 16> few;
   std::vector<double> many;
   std::size_t const size = std::max(function.slots, arguments.size());

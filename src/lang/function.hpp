@@ -5,6 +5,7 @@
 #include "lang/value.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -15,8 +16,8 @@ namespace abbe::lang {
 class Interpreter;
 
 /// A user function, `function(a, b) { ... }`: an expression of floats, compiled when it is
-/// declared. What it names besides its parameters is captured by value then. Its body has no
-/// messages: division by zero gives infinities.
+/// declared, or a block (see block_function.hpp). What it names besides its parameters is captured
+/// by value then. Its body has no messages: division by zero gives infinities.
 struct FunctionValue {
   /// One operation; operands are places in `nodes`, or in `operands` for calls.
   struct Node {
@@ -41,6 +42,7 @@ struct FunctionValue {
       Max,
       Select,
       Function,
+      Part,
       Sum,
       Product,
       Noise,
@@ -48,7 +50,7 @@ struct FunctionValue {
     } kind = Kind::Constant;
     std::uint32_t a = 0, b = 0; ///< operands; of calls: first in `operands` and their number
     std::uint32_t c = 0;        ///< parameter, built-in or called function
-    double value = 0;
+    double value = 0;           ///< of Part: which, of the vector that the called function gives
   };
   std::vector<Node> nodes; ///< operands before their users; the last is the result
   std::vector<std::uint32_t> operands;
@@ -56,6 +58,10 @@ struct FunctionValue {
   std::size_t parameters = 3;
   std::size_t slots = 0;   ///< parameters and loop variables, when there are any of the latter
   std::string unsupported; ///< why it cannot be called, empty as a rule
+  /// Instead of nodes: what a function made of a block yields.
+  std::function<Numeric(std::span<double const>)> block;
+  bool vector = false;      ///< `block` yields a vector or colour
+  bool calls_block = false; ///< it is made of one or calls such a function: has no bounds
 };
 
 /// Compiles a function; nullptr after an error (reported).

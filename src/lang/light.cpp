@@ -36,13 +36,24 @@ bool read_kind(Reader& in, Light& light) {
   return true;
 }
 
-/// Its options are part of it: one message is enough.
-bool reject_area(Reader& in) {
-  if (in.next_word() != "area_light") return false;
-  skip_unsupported(in);
+bool at_area_option(Reader& in) {
   constexpr std::string_view options[] = {"adaptive", "jitter", "circular", "orient",
                                           "area_illumination"};
-  while (std::ranges::find(options, in.next_word()) != std::end(options)) in.skip();
+  return std::ranges::find(options, in.next_word()) != std::end(options);
+}
+
+/// The options of an area light are part of it: one message is enough. Without it they do nothing,
+/// as in POV-Ray.
+bool reject_area(Reader& in) {
+  if (in.next_word() == "area_light") {
+    skip_unsupported(in);
+    while (at_area_option(in)) in.skip();
+    return true;
+  }
+  if (!at_area_option(in)) return false;
+  in.report(Severity::Warning, "E0257",
+            fmt::format("'{}' acts on area lights only", in.next_word()), in.next_span());
+  in.skip();
   return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The literals of data files: what #read understands and #write puts.
+#include "grammar/lexer.hpp"
 #include "lang/files.hpp"
 
 #include <algorithm>
@@ -11,19 +12,23 @@
 namespace abbe::lang {
 namespace {
 
-bool is_gap(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\0' || c == 26 || c == ',';
-}
-
+/// Blanks, comments, commas and, as in POV-Ray, NULs.
 void skip_gaps(FileValue& file) {
-  while (file.position < file.text.size() && is_gap(file.text[file.position])) ++file.position;
+  char const* const last = file.text.data() + file.text.size();
+  char const* at = file.text.data() + file.position;
+  try {
+    while ((at = grammar::skip_blanks(at, last)) != last && (*at == ',' || *at == '\0')) ++at;
+  } catch (grammar::SyntaxError const&) { // a comment that is not closed: no literal is left
+    at = last;
+  }
+  file.position = static_cast<std::size_t>(at - file.text.data());
 }
 
 Error wrong(FileValue const& file) {
-  auto const line = std::count(
-      file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(file.position), '\n');
-  return {"E0506", fmt::format("line {} of '{}': expected a float, a vector or a string", line + 1,
-                               file.path.generic_string())};
+  SourceFile const source(file.path.generic_string(), std::string(file.text));
+  int const line = source.place(static_cast<std::uint32_t>(file.position)).line;
+  return {"E0506", fmt::format("line {} of '{}': expected a float, a vector or a string", line,
+                               source.name())};
 }
 
 std::optional<double> read_float(FileValue& file) {

@@ -2,6 +2,8 @@
 #include "lang/attach.hpp"
 #include "lang/unsupported.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -114,8 +116,22 @@ bool read_pattern(Reader& in, Draft& draft) {
   return true;
 }
 
+/// What acts on patterns and stands behind a plain colour, as POV-Ray lets it.
+bool pass_modifier(Reader& in) {
+  std::string const word(in.next_word());
+  Span const at = in.next_span();
+  texture::PatternModifiers ignored;
+  if (word == "warp")
+    in.skip();
+  else if (!texture::read_modifier(in, ignored))
+    return false;
+  in.report(Severity::Warning, "E0257", fmt::format("'{}' has no effect on a plain colour", word),
+            at);
+  return true;
+}
+
 bool read_modifier(Reader& in, Draft& draft) {
-  if (!draft.instance) return false;
+  if (!draft.instance) return pass_modifier(in);
   if (auto changed = draft.instance->pattern->read_item(in)) {
     draft.instance->pattern = std::move(changed);
     return true;

@@ -91,6 +91,7 @@ void ReaderImpl::pop() {
   if (kind == Frame::Kind::Macro) {
     in_.scope.leave();
     --macros_;
+    comma_ = comma_ || comma_behind(frames_.back().span);
   } else if (kind == Frame::Kind::Include) {
     in_.scope.leave();
     --includes_;

@@ -151,6 +151,7 @@ private:
   // classify.cpp: what an expression is as an item
   void classify(ast::Expr const&);
   void classify_name(ast::Name const&, Span);
+  void classify_element(ast::Index const&);
   void classify_value(Value const&, Span);
   void classify_call(ast::Call const&, Span);
   void classify_owned(Value&&, Span);
@@ -207,6 +208,7 @@ private:
   ast::Expr element_; ///< the one of many vectors that is next, as an expression
   std::vector<std::string_view> asked_;
   Span missing_at_;
+  bool comma_ = false; ///< behind a macro call that ended since this was last cleared
   int macros_ = 0;
   int includes_ = 0;
   /// Number of a face texture; `declared` tells apart those that were declared, null otherwise.

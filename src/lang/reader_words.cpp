@@ -107,8 +107,9 @@ std::shared_ptr<ScalarField const> ReaderImpl::field() {
   Value const* const value = identifier();
   auto const* held = value ? std::get_if<std::shared_ptr<FunctionValue>>(&value->any) : nullptr;
   if (!held) {
-    bool const reported = value && value->empty();
-    if (reported)
+    auto const* number =
+        next() == Next::Numeric && peek_.value ? std::get_if<Numeric>(&peek_.value->any) : nullptr;
+    if (number && number->poisoned()) // reported
       take();
     else
       report(Severity::Error, "E0629", "expected function { ... } of x, y and z", next_span());
@@ -117,8 +118,12 @@ std::shared_ptr<ScalarField const> ReaderImpl::field() {
   std::shared_ptr<FunctionValue const> const function = *held;
   Span const at = next_span();
   take();
-  if (!function->unsupported.empty()) {
-    report(Severity::Error, "E0901", function->unsupported, at);
+  if (!function->unsupported.empty() || function->calls_block) {
+    bool const named = !function->unsupported.empty();
+    report(Severity::Error, "E0901",
+           named ? function->unsupported
+                 : "a surface of a function that a block makes is not supported yet",
+           at);
     return nullptr;
   }
   if (function->parameters != 3) {

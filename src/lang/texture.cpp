@@ -81,8 +81,11 @@ scene::SharedLayers read_texture(Reader& in) {
   for (bool first = !named; !in.at_end(); first = false) {
     geometry::Transform transform;
     if (read_texture_part(in, layers.back()) || read_named(in, layers, first)) continue;
+    Span const at = in.next_span();
     if (read_transform(in, transform))
       transform_layers(layers, transform);
+    else if (in.accept("no_bump_scale"))
+      in.report(Severity::Warning, "E0257", "'no_bump_scale' has no effect without bumps", at);
     else if (!reject_patterned(in))
       reject(in, "a texture item");
   }

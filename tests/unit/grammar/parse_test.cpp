@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace abbe {
 namespace {
 
@@ -198,6 +201,45 @@ TEST(Tokens, AreDumpedWithPlaces) {
             "1:1 directive # declare\n1:11 name A\n1:12 punctuation =\n1:13 punctuation <\n"
             "1:14 number 1.5\n1:17 punctuation >\n1:18 punctuation ;\n2:1 string \"x\"\n"
             "2:5 function sin\n2:9 unknown \x80\n");
+}
+
+// Bytes: POV-Ray 3.7 reads all of these alike, but takes a NUL for a blank.
+TEST(Bytes, LinesEndInEverySystemsWay) {
+  std::string const expected = shape("sphere { 0, 1 } // a\nbox { 0, 1 }\n");
+  for (std::string const end : {"\r", "\r\n", "\n"}) {
+    EXPECT_EQ(shape("sphere { 0, 1 } // a" + end + "box { 0, 1 }" + end), expected);
+    std::string const wrong = "// a" + end + end + "/* b" + end + "*/ #declare 3";
+    EXPECT_TRUE(first_error(wrong).starts_with("t.scn:4:13: error[E0110]")) << first_error(wrong);
+    EXPECT_NE(first_error(wrong).find("\n  */ #declare 3\n"), std::string::npos);
+  }
+}
+TEST(Bytes, AMarkAtTheBeginningIsNoText) {
+  EXPECT_EQ(shape("\xef\xbb\xbf-V.x"), shape("-V.x"));
+  EXPECT_EQ(dump_tokens(SourceFile("t.scn", "\xef\xbb\xbf A")), "1:2 name A\n");
+  EXPECT_TRUE(first_error("A \xef\xbb\xbf").starts_with("t.scn:1:3: error[E0101]"));
+}
+TEST(Bytes, AboveAsciiStandInCommentsAndStrings) {
+  EXPECT_EQ(shape("/* \xe9\xff */ \"\xe9\" // \xc3\xa9"), "String \"\xe9\"");
+}
+/// The text with NULs where it has '@'.
+std::string with_nuls(std::string text) {
+  std::replace(text.begin(), text.end(), '@', '\0');
+  return text;
+}
+TEST(Bytes, NulIsAnErrorOutsideOfComments) {
+  EXPECT_EQ(shape(with_nuls("/* @ */ A // @")), "Name A");
+  std::string const bare = first_error(with_nuls("A\n @@ B"));
+  EXPECT_TRUE(bare.starts_with("t.scn:2:2-3: error[E0101]: the byte 0x00")) << bare;
+  std::string const quoted = first_error(with_nuls("A\n \"b@\""));
+  EXPECT_TRUE(quoted.starts_with("t.scn:2:4: error[E0101]: the byte 0x00")) << quoted;
+}
+TEST(Bytes, WideTextsAreNamed) {
+  std::string const wide = first_error(with_nuls("\xff\xfe"
+                                                 "A@"));
+  EXPECT_TRUE(wide.starts_with("t.scn:1:1: error[E0101]: this text is UTF-16")) << wide;
+}
+TEST(Calls, OfElementsOfArrays) {
+  EXPECT_EQ(shape("F[1](2)"), "Call F(Index F(Number 1), argument:(Number 2))");
 }
 
 } // namespace

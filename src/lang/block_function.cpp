@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "lang/block_function.hpp"
+
+#include "lang/interpreter.hpp"
+#include "lang/spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace abbe::lang {
+namespace {
+
+using Arguments = std::span<double const>;
+
+Vec3 point_of(Arguments a) {
+  return {a[0], a[1], a[2]};
+}
+
+Numeric colour_of(scene::Colour const& colour) {
+  Numeric n;
+  n.size = 5;
+  n.colour = true;
+  n.c = {colour.rgb.x, colour.rgb.y, colour.rgb.z, colour.filter, colour.transmit};
+  return n;
+}
+
+/// The colour of a pigment at a point of the space around it.
+Numeric colour_at(scene::Pigment const& pigment, Vec3 const& point) {
+  if (!pigment.pattern) return colour_of(pigment.colour);
+  std::vector<double> values;
+  for (auto const& entry : pigment.entries) values.push_back(entry.value);
+  auto const position = texture::look_up(values, pigment.pattern->evaluate(point));
+  Vec3 inner = point;
+  auto const& mappings = pigment.pattern->mappings;
+  for (auto m = mappings.rbegin(); m != mappings.rend(); ++m) inner = m->linear * inner + m->offset;
+  auto const at = [&](int i) {
+    return colour_at(*pigment.entries[static_cast<std::size_t>(i)].pigment, inner);
+  };
+  Numeric colour = at(position.first);
+  if (position.weight == 0) return colour;
+  Numeric const second = at(position.second);
+  for (std::size_t i = 0; i < 5; ++i) colour.c[i] += position.weight * (second.c[i] - colour.c[i]);
+  return colour;
+}
+
+bool has_spectrum(scene::Pigment const& pigment) {
+  return pigment.colour.spectrum || std::ranges::any_of(pigment.entries, [](auto const& entry) {
+           return has_spectrum(*entry.pigment);
+         });
+}
+
+void read_pigment_function(Reader& in, FunctionValue& out) {
+  scene::Pigment pigment = default_texture(in, in.block_span()).pigment;
+  read_pigment(in, pigment);
+  if (has_spectrum(pigment)) out.unsupported = "a function of a spectrum is not supported yet";
+  out.block = [pigment](Arguments a) { return colour_at(pigment, point_of(a)); };
+}
+
+void read_pattern_function(Reader& in, FunctionValue& out) {
+  scene::Pigment pigment;
+  read_pigment(in, pigment);
+  if (!pigment.pattern) return;
+  out.block = [pattern = pigment.pattern](Arguments a) {
+    return scalar_of(pattern->evaluate(point_of(a)));
+  };
+}
+
+void read_any(Reader& in, std::string_view head, FunctionValue& out) {
+  out.vector = head != "pattern";
+  if (head == "pigment") {
+    read_pigment_function(in, out);
+  } else if (head == "pattern") {
+    read_pattern_function(in, out);
+  } else if (head == "transform") {
+    out.block = [t = read_transform_block(in)](Arguments a) {
+      return vector_of(t.point(point_of(a)));
+    };
+  } else if (head == "spline") {
+    out.parameters = 1;
+    out.block = [s = read_spline(in)](Arguments a) { return s->at(a[0], s->kind); };
+  } else {
+    out.unsupported = fmt::format("a function made of '{} {{ ... }}' is not supported yet", head);
+    while (!in.at_end()) in.skip();
+  }
+}
+
+} // namespace
+
+void read_block_function(Reader& in, FunctionValue& out) {
+  std::string const head(in.next_word());
+  Span const span = in.next_span();
+  Deferral deferral(in.interpreter());
+  in.open_any();
+  read_any(in, head, out);
+  in.close();
+  Few<Diagnostic> const deferred = deferral.take();
+  if (!deferred.empty())
+    out.unsupported = fmt::format("{}, which this function is made of", deferred[0].message);
+  else if (!out.block && out.unsupported.empty())
+    in.report(Severity::Error, "E0318", "expected a pattern that this function is made of", span);
+}
+
+std::optional<int> part_of(std::string_view member) {
+  constexpr std::pair<std::string_view, int> parts[] = {
+      {"x", 0},        {"y", 1},     {"z", 2},     {"t", 3},    {"u", 0},
+      {"v", 1},        {"red", 0},   {"green", 1}, {"blue", 2}, {"filter", 3},
+      {"transmit", 4}, {"gray", -1}, {"grey", -1}};
+  auto const* const found =
+      std::ranges::find(parts, member, &std::pair<std::string_view, int>::first);
+  if (found == std::end(parts)) return std::nullopt;
+  return found->second;
+}
+
+double take_part(Numeric const& n, int part) {
+  Numeric const all = n.promoted(5);
+  if (part < 0) return 0.297 * all.c[0] + 0.589 * all.c[1] + 0.114 * all.c[2];
+  return all.c[static_cast<std::size_t>(part)];
+}
+
+} // namespace abbe::lang
