@@ -111,7 +111,20 @@ Vec3 Placed::to_object(Vec3 const& world_point) const {
 
 Vec3 Placed::normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const {
   Vec3 const point = to_object(world_point);
-  Vec3 const n = geometric ? shape().geometric_normal(point, face) : shape().normal(point, face);
+  return to_unit_world_normal(geometric ? shape().geometric_normal(point, face)
+                                        : shape().normal(point, face));
+}
+
+Vec3 Placed::facing(std::uint32_t face, Vec3 const& world_point) const {
+  Vec3 const n = to_unit_world_normal(shape().facing(to_object(world_point), face));
+  if (shape().side() != Side::FacingByAxis) return n;
+  Vec3 const size = glm::abs(n);
+  int axis = size.y > size.x ? 1 : 0;
+  if (size.z > size[axis]) axis = 2;
+  return (n[axis] > 0) == (axis == 1) ? n : -n;
+}
+
+Vec3 Placed::to_unit_world_normal(Vec3 const& n) const {
   // The direction only: scaled to the order of 1 first, so that no square overflows.
   Vec3 world;
   if (whole_ && whole_->along_axes) {

@@ -35,6 +35,8 @@ public:
   Vec3 to_object(Vec3 const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
+  /// Unit normal in world space towards what counts as outside (Shape::side).
+  Vec3 facing(std::uint32_t face, Vec3 const& world_point) const;
   /// inverse_linear is off by at most `rounding` times this, entry by entry, as described.
   Mat3 inverse_size() const { return whole_ ? whole_->size : Mat3(size_); }
   /// The same along all axes, without sign; 0: not known to be.
@@ -52,6 +54,8 @@ public:
   Bounds bounds() const;
 
 private:
+  /// Of a normal of object space in the world, of unit length.
+  Vec3 to_unit_world_normal(Vec3 const& n) const;
   /// What any placement takes.
   struct Whole {
     Mat3 inverse_linear, size;

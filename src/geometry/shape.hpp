@@ -68,6 +68,20 @@ struct Bounds {
 
 class EndsKernel;
 
+/// How much of its own boundary a shape shows.
+enum class Boundary : std::uint8_t {
+  Whole, ///< all around its inside
+  Open,  ///< parts are missing (the lids of an open cylinder): rays come in without meeting it
+  Sheet, ///< no volume: patches, and discs, whose inside is for boolean operations only
+};
+/// By what the side is told from which a surface is seen.
+enum class Side : std::uint8_t {
+  Crossing,     ///< by the crossing: from outside where it is entered
+  Facing,       ///< by facing()
+  FacingByAxis, ///< by facing() turned round so that its largest component in the world is -x, +y
+                ///< or -z: a flat triangle in a statement of its own, as in POV-Ray
+};
+
 class Shape {
 public:
   virtual ~Shape() = default;
@@ -87,11 +101,17 @@ public:
   }
   /// geometric_normal() is another than normal().
   virtual bool smoothed() const { return false; }
+  /// By what the side is told from which a face is seen (for interior_texture).
+  virtual Side side() const { return Side::Crossing; }
+  /// Normal towards the side that counts as outside where side() is not Crossing; need not be of
+  /// unit length.
+  virtual Vec3 facing(Vec3 const& point, std::uint32_t face) const { return normal(point, face); }
   /// The face has one normal, wherever the point.
   virtual bool flat(std::uint32_t) const { return false; }
   virtual Bounds bounds() const = 0;
   /// Has an inside (everything but triangles and meshes without inside_vector).
   virtual bool solid() const { return true; }
+  virtual Boundary boundary() const { return solid() ? Boundary::Whole : Boundary::Sheet; }
   /// Number of the face's own texture (Parameters::face_texture), -1 for the object's.
   virtual int face_texture(std::uint32_t) const { return -1; }
   /// Where several textures meet on a face; face_texture() is the first of them.

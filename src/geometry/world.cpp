@@ -201,6 +201,9 @@ World::Normals World::normals(PrimitiveId id, std::uint32_t face, Vec3 const& po
   Vec3 const smoothed = placed.normal(face, point, false);
   return {smoothed, placed.shape().smoothed() ? placed.normal(face, point, true) : smoothed};
 }
+Vec3 World::facing(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
+  return impl_->primitives[id].facing(face, point);
+}
 bool World::inside(PrimitiveId id, Vec3 const& point) const {
   Placed const& placed = impl_->primitives[id];
   return placed.shape().inside(placed.to_object(point));

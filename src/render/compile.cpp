@@ -74,17 +74,18 @@ double brightest(Stage const& stage) {
   for (auto const& light : stage.lights)
     lamps += largest(light.value) * (light.fade_power > 0 && light.fade_distance != 0 ? 2 : 1);
   double surface = 0, pigment = 1;
-  for (auto const& finish : stage.finishes) surface = std::max(surface, own_light(finish, lamps));
+  for (auto const& finish : stage.textures.finishes)
+    surface = std::max(surface, own_light(finish, lamps));
   auto const channels = static_cast<std::size_t>(stage.channels);
-  for (std::size_t at = 0; at < stage.colours.size(); at += channels)
-    pigment = std::max(pigment, largest({stage.colours.data() + at, channels}));
+  for (std::size_t at = 0; at < stage.textures.colours.size(); at += channels)
+    pigment = std::max(pigment, largest({stage.textures.colours.data() + at, channels}));
   double const sky = stage.sky_pigments.empty() ? 0 : largest(stage.sky_emission);
   double bound = std::max({pigment * surface, pigment * sky, largest(stage.background)});
   // `reflection { exponent }` adds a power of what it sees, which may be another such mirror. Where
   // that grows it is bounded by the levels that a path has; perhaps by nothing.
   for (int level = 0; level < stage.max_trace_level; ++level) {
     double next = bound;
-    for (auto const& finish : stage.finishes) {
+    for (auto const& finish : stage.textures.finishes) {
       auto const& reflection = finish.reflection;
       if (!reflection || reflection->exponent == 1) continue;
       double const most = std::max({largest(reflection->minimum), largest(reflection->maximum),
@@ -117,7 +118,8 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   }
   stage.camera = scene.camera;
   set_limits(scene.settings, stage);
-  stage.opacity_version = scene.settings.version;
+  stage.textures.channels = stage.channels;
+  stage.textures.opacity_version = scene.settings.version;
 
   PigmentCompiler pigments(colours, stage);
   MediaCompiler media(scene.settings, plan, colours, stage);
@@ -137,16 +139,6 @@ Stage compile(scene::Scene const& scene, plan::Plan const& plan) {
 
 Stage compile(scene::Scene&& scene, plan::Plan const& plan) {
   return compile(scene, &scene.objects, plan);
-}
-
-bool Stage::mirrors(Surface const& surface) const {
-  auto const any = [&](std::span<int const> numbers) {
-    return std::any_of(numbers.begin(), numbers.end(), [&](int number) {
-      return finish(layers[static_cast<std::size_t>(number)]).reflection.has_value();
-    });
-  };
-  return any(surface.layers) || any(surface.interior_layers)
-         || std::any_of(surface.face_layers.begin(), surface.face_layers.end(), any);
 }
 
 } // namespace abbe::render

@@ -39,7 +39,7 @@ public:
   void run(std::deque<Object>* taken) {
     std::size_t const primitives = leaves(scene_.objects);
     world_.reserve(primitives, scene_.objects.size());
-    stage_.surfaces.reserve(primitives);
+    stage_.textures.surfaces.reserve(primitives);
     std::size_t const objects = scene_.objects.size();
     stage_.solids.reserve(objects);
     auto left_out = plan_.out_of_reach.begin();
@@ -79,6 +79,11 @@ private:
       solid.medium = media_.add(piece.interior);
       solid.priority = piece.interior->priority;
       solid.leaks = leaks(piece.tree);
+      bool const alone = piece.tree.op == CsgTree::Op::Primitive;
+      auto const boundary =
+          alone ? world_.shape(piece.tree.primitive).boundary() : geometry::Boundary::Whole;
+      solid.sheet = boundary == geometry::Boundary::Sheet;
+      solid.open = boundary != geometry::Boundary::Whole || piece.tree.op == CsgTree::Op::Clip;
       stage_.has_priorities = stage_.has_priorities || solid.priority != 0;
       stage_.has_leaks = stage_.has_leaks || solid.leaks;
     }
@@ -224,8 +229,9 @@ private:
     piece.opaque = opaque(surface.layers)
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
     for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
-    std::erase_if(surface.layers, [&](int number) { return invisible(number); });
-    stage_.surfaces.add(std::move(surface), object);
+    bool const gathers = object.interior && object.interior->caustics != 0;
+    if (!gathers) std::erase_if(surface.layers, [&](int number) { return invisible(number); });
+    stage_.textures.surfaces.add(std::move(surface), object);
     piece.interior = object.interior;
     bool const image = !object.no_image.value_or(false);
     bool const reflection = !object.no_reflection.value_or(false);
@@ -242,14 +248,15 @@ private:
   /// Only what lies under a layer that lets light pass can be seen.
   bool opaque(std::vector<int> const& numbers) const {
     return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [&](int number) {
-             return pigments_.opaque(stage_.layers[static_cast<std::size_t>(number)].pigment);
+             return pigments_.opaque(
+                 stage_.textures.layers[static_cast<std::size_t>(number)].pigment);
            });
   }
 
   /// Lets all light pass and adds none: what a glass without a texture has.
   bool invisible(int number) const {
-    CompiledLayer const& layer = stage_.layers[static_cast<std::size_t>(number)];
-    CompiledFinish const& finish = stage_.finish(layer);
+    CompiledLayer const& layer = stage_.textures.layers[static_cast<std::size_t>(number)];
+    CompiledFinish const& finish = stage_.textures.finish(layer);
     return pigments_.clear(layer.pigment) && finish.phong == 0 && finish.specular == 0
            && !finish.reflection;
   }
@@ -274,31 +281,32 @@ private:
     CompiledLayer layer;
     layer.pigment = pigments_.add(texture.pigment);
     layer.finish = finish(texture.finish);
-    auto const fresh = static_cast<std::uint32_t>(stage_.layers.size());
+    auto const fresh = static_cast<std::uint32_t>(stage_.textures.layers.size());
     if (texture.pigment.pattern) {
       Transform const to_stage = texture.placement.then(to_stage_);
-      layer.space = static_cast<int>(stage_.texture_spaces.size());
-      stage_.texture_spaces.push_back({to_stage.inverse_linear, to_stage.inverse_offset});
+      layer.space = static_cast<int>(stage_.textures.texture_spaces.size());
+      stage_.textures.texture_spaces.push_back({to_stage.inverse_linear, to_stage.inverse_offset});
     } else {
       // Plain colours are the same everywhere: one layer for all that have the same finish.
       WordHash hash;
       hash.add(static_cast<std::uint64_t>(layer.pigment) << 32
                | static_cast<std::uint64_t>(layer.finish));
       auto const known = plain_layers_.find_or_add(hash.value(), fresh, [&](std::uint32_t number) {
-        CompiledLayer const& other = stage_.layers[number];
+        CompiledLayer const& other = stage_.textures.layers[number];
         return other.pigment == layer.pigment && other.finish == layer.finish;
       });
       if (known != fresh) return static_cast<int>(known);
     }
-    stage_.layers.push_back(layer);
+    stage_.textures.layers.push_back(layer);
     return static_cast<int>(fresh);
   }
 
   int finish(Shared<scene::Finish> const& finish) {
     int const number = finishes_.of(finish);
-    if (static_cast<std::size_t>(number) == stage_.finishes.size()) {
-      stage_.finishes.push_back(compile_finish(*finish, scene_.settings, colours_));
-      if (plan_.is_off(scene::Switch::Reflection)) stage_.finishes.back().reflection.reset();
+    if (static_cast<std::size_t>(number) == stage_.textures.finishes.size()) {
+      stage_.textures.finishes.push_back(compile_finish(*finish, scene_.settings, colours_));
+      if (plan_.is_off(scene::Switch::Reflection))
+        stage_.textures.finishes.back().reflection.reset();
     }
     return number;
   }

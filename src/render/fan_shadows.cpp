@@ -152,6 +152,8 @@ void FanShadows::filter(Filtered const& rays, FanHits& hits, Ways& out) {
   Tracer::FanGroups found;
   Tracer::FanGroups const* const groups =
       tracer_.find_groups(fan, rays.rest, hits, frame, found) ? &found : nullptr;
+  for (std::size_t k = 0; k < n; ++k) // what the lamp lies on is not in its way
+    if (!(hits.t[k] + hits.error[k] < rays.rest[k])) hits.hit[k].kind = FanHit::Kind::Nothing;
   std::size_t last = 0;
   for (std::size_t first = 0; first < n; first = last) {
     for (last = first + 1; last < n && Tracer::same_hit(hits, groups, first, last);) ++last;
@@ -206,8 +208,10 @@ void FanShadows::filter_behind(Filtered const& rays, FanHits const& hits, Tracer
     for (int c = 0; leaves && c < each; ++c)
       left[c] *= shadow_fade(medium, light.channel[first + c], hits.t[k]);
     for (auto const& crossing : frame.hit.crossings)
-      tint(stage, stage.surfaces[crossing.primitive], hits.point.get(k), light.channel + first,
-           each, left, tracer_.arena_);
+      stage.reader().tint(
+          frame.hit, crossing, stage.caustics(crossing.solid),
+          {hits.point.get(k), rays.lines->direction.get(k), light.channel + first, each, left},
+          tracer_.arena_);
     lit[k] = any_above(left, each, 0);
     rays.rest[k] -= hits.t[k];
     there[k] = !(rays.rest[k] > 0);

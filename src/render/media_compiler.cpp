@@ -37,6 +37,7 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
     medium.fade_power = interior.fade_power;
     medium.fade_colour = colours_.reflectance(interior.fade_colour);
   }
+  medium.caustics = interior.caustics;
   if (!stage_.spectral) return medium;
 
   optics::Bands const& bands = stage_.bands();

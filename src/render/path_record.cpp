@@ -27,8 +27,8 @@ bool negative_light_is_wrong(Stage const& stage) {
   return !negative(stage.background) && !negative(stage.sky_emission)
          && std::none_of(stage.lights.begin(), stage.lights.end(),
                          [](CompiledLight const& light) { return negative(light.value); })
-         && !negative(stage.colours)
-         && std::none_of(stage.finishes.begin(), stage.finishes.end(),
+         && !negative(stage.textures.colours)
+         && std::none_of(stage.textures.finishes.begin(), stage.textures.finishes.end(),
                          [](CompiledFinish const& finish) {
                            return negative(finish.ambient) || negative(finish.emission);
                          });
@@ -65,7 +65,7 @@ void PathRecorder::take_hit(Tracer& tracer, Ray& ray) {
   // None is left where a medium of higher priority displaces all of them.
   auto const primitive = hit.crossings.empty() ? hit.members.front().primitive
                                                : hit.crossings[carrier_of(hit.crossings)].primitive;
-  auto const origin = stage_.surfaces.origin(primitive);
+  auto const origin = stage_.textures.surfaces.origin(primitive);
   ray.step.object = origin.span;
   ray.step.keyword = origin.keyword;
 }

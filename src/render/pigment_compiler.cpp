@@ -27,10 +27,10 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
     map.entries.push_back(add_shared(entry.pigment));
     out.opaque = out.opaque && opaque(map.entries.back());
   }
-  out.pattern = static_cast<std::int32_t>(stage_.patterns.size());
-  stage_.patterns.push_back(std::move(map));
-  stage_.pigments.push_back(out);
-  return static_cast<int>(stage_.pigments.size()) - 1;
+  out.pattern = static_cast<std::int32_t>(stage_.textures.patterns.size());
+  stage_.textures.patterns.push_back(std::move(map));
+  stage_.textures.pigments.push_back(out);
+  return static_cast<int>(stage_.textures.pigments.size()) - 1;
 }
 
 int PigmentCompiler::add_plain(scene::Colour const& colour) {
@@ -42,21 +42,21 @@ int PigmentCompiler::add_plain(scene::Colour const& colour) {
   for (double const channel : value) add(channel);
   add(colour.filter);
   add(colour.transmit);
-  auto const fresh = static_cast<std::uint32_t>(stage_.pigments.size());
+  auto const fresh = static_cast<std::uint32_t>(stage_.textures.pigments.size());
   auto const number = plain_.find_or_add(hash.value(), fresh, [&](std::uint32_t known) {
-    CompiledPigment const& other = stage_.pigments[known];
+    CompiledPigment const& other = stage_.textures.pigments[known];
     return other.filter == colour.filter && other.transmit == colour.transmit
-           && std::equal(value.begin(), value.end(), stage_.colour(other));
+           && std::equal(value.begin(), value.end(), stage_.textures.colour(other));
   });
   if (number == fresh) {
     CompiledPigment out;
     out.filter = colour.filter;
     out.transmit = colour.transmit;
-    out.colour = static_cast<std::uint32_t>(stage_.colours.size() / value.size());
+    out.colour = static_cast<std::uint32_t>(stage_.textures.colours.size() / value.size());
     out.opaque = colour.transmit == 0
                  && (colour.filter == 0 || *std::max_element(value.begin(), value.end()) == 0);
-    stage_.pigments.push_back(out);
-    stage_.colours.insert(stage_.colours.end(), value.begin(), value.end());
+    stage_.textures.pigments.push_back(out);
+    stage_.textures.colours.insert(stage_.textures.colours.end(), value.begin(), value.end());
   }
   return static_cast<int>(number);
 }

@@ -27,7 +27,7 @@ private:
   int add_shared(std::shared_ptr<scene::Pigment const> const& pigment);
   int add_plain(scene::Colour const& colour);
   CompiledPigment const& of(int number) const {
-    return stage_.pigments[static_cast<std::size_t>(number)];
+    return stage_.textures.pigments[static_cast<std::size_t>(number)];
   }
   ColourCompiler& colours_;
   Stage& stage_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/shader.hpp"
 
-#include "render/pigment.hpp"
+#include "surface/pigment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,25 +44,16 @@ FanSurface Shader<Lanes>::shade() {
 template <int Lanes>
 void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, Rays rays,
                                   FanSurface& out) {
-  Surface const surface = stage_.surfaces[crossing.primitive];
   bool const carries = &crossing == &frame_.hit.crossings[met_.carrier];
-  bool const both_sides = surface.double_illuminate;
-  if (!crossing.entering && !surface.interior_layers.empty())
-    return shade_layers(surface.interior_layers, both_sides, carries, rays, out);
-  if (surface.face_layers.empty())
-    return shade_layers(surface.layers, both_sides, carries, rays, out);
-  auto const of_face = [&](int number) -> std::span<int const> {
-    if (number < 0) return surface.layers;
-    return surface.face_layers[static_cast<std::size_t>(number)];
-  };
-  geometry::Shape const& shape = stage_.world->shape(crossing.primitive);
+  bool const both_sides = stage_.textures.surfaces[crossing.primitive].double_illuminate;
+  surface::Reader const reader = stage_.reader();
+  if (auto const layers = reader.same(crossing))
+    return shade_layers(*layers, both_sides, carries, rays, out);
   each_ray(rays, [&](std::size_t r, int first) {
     Rays const alone = Rays{1} << r;
-    auto const blend =
-        stage_.world->face_blend(crossing.primitive, crossing.face, met_.point->get(r));
-    if (!blend)
-      return shade_layers(of_face(shape.face_texture(crossing.face)), both_sides, carries, alone,
-                          out);
+    surface::SeenLayers const seen =
+        reader.at(frame_.hit, crossing, met_.point->get(r), met_.direction->get(r));
+    if (seen.count == 1) return shade_layers(seen.part[0].layers, both_sides, carries, alone, out);
     // Each texture shades its share of the light.
     Arena::Scope const scope(tracer_.arena_);
     auto const n = static_cast<std::size_t>(each());
@@ -75,13 +66,13 @@ void Shader<Lanes>::shade_surface(geometry::SurfaceCrossing const& crossing, Ray
     double* const mirrored = copy(out.mirrored);
     auto* const left = tracer_.arena_.template take<double>(n);
     std::fill_n(left, n, 0.0);
-    for (std::size_t corner = 0; corner < blend->count; ++corner) {
-      double const share = blend->share[corner];
+    for (std::size_t part = 0; part < seen.count; ++part) {
+      double const share = seen.part[part].share;
       for (std::size_t c = 0; c < n; ++c) {
         out.passed[first + static_cast<int>(c)] = arriving[c] * share;
         out.mirrored[first + static_cast<int>(c)] = 0;
       }
-      shade_layers(of_face(blend->texture[corner]), both_sides, carries, alone, out);
+      shade_layers(seen.part[part].layers, both_sides, carries, alone, out);
       for (std::size_t c = 0; c < n; ++c) {
         left[c] += out.passed[first + static_cast<int>(c)];
         mirrored[c] += out.mirrored[first + static_cast<int>(c)] * share;
@@ -97,8 +88,8 @@ void Shader<Lanes>::shade_layers(std::span<int const> layers, bool double_illumi
                                  Rays rays, FanSurface& out) {
   for (auto layer = layers.rbegin(); layer != layers.rend() && rays != 0; ++layer) {
     Arena::Scope const scope(tracer_.arena_);
-    shade_layer(stage_.layers[static_cast<std::size_t>(*layer)], double_illuminate, carries, rays,
-                out);
+    shade_layer(stage_.textures.layers[static_cast<std::size_t>(*layer)], double_illuminate,
+                carries, rays, out);
     rays = with_light(rays, out.passed, std::max(0.0, stage_.adc_bailout));
   }
 }
@@ -106,7 +97,7 @@ void Shader<Lanes>::shade_layers(std::span<int const> layers, bool double_illumi
 template <int Lanes>
 void Shader<Lanes>::shade_layer(CompiledLayer const& layer, bool double_illuminate, bool carries,
                                 Rays rays, FanSurface& out) {
-  CompiledFinish const& finish = stage_.finish(layer);
+  CompiledFinish const& finish = stage_.textures.finish(layer);
   Pigments pigment;
   pigments_at(layer, rays, pigment);
   bool opaque = false;
@@ -152,29 +143,32 @@ void Shader<Lanes>::add_mirror(CompiledReflection const& reflection, double cons
 
 template <int Lanes>
 void Shader<Lanes>::pigments_at(CompiledLayer const& layer, Rays rays, Pigments& out) {
-  CompiledPigment const& pigment = stage_.pigments[static_cast<std::size_t>(layer.pigment)];
+  CompiledPigment const& pigment =
+      stage_.textures.pigments[static_cast<std::size_t>(layer.pigment)];
   out.colour = take_lanes();
   if (pigment.pattern < 0) return plain_pigments_at(pigment, rays, out);
   each_ray(rays, [&](std::size_t r, int first) {
-    PigmentValue value{out.colour + first};
-    evaluate_pigment<Lanes>(stage_, layer.pigment, stage_.to_texture(layer, met_.point->get(r)),
-                            beam_.channel + first, each(), value, tracer_.arena_);
+    surface::PigmentValue value{out.colour + first};
+    surface::evaluate_pigment<Lanes>(stage_.textures, layer.pigment,
+                                     stage_.textures.to_texture(layer, met_.point->get(r)),
+                                     beam_.channel + first, each(), value, tracer_.arena_);
     out.filter[r] = value.filter;
     out.transmit[r] = value.transmit;
-    out.opaque[r] = opacity(stage_, value, each());
+    out.opaque[r] = surface::opacity(stage_.textures, value, each());
   });
 }
 
 template <int Lanes>
 void Shader<Lanes>::plain_pigments_at(CompiledPigment const& pigment, Rays rays, Pigments& out) {
-  double const* const value = stage_.colour(pigment);
+  double const* const value = stage_.textures.colour(pigment);
   std::uint16_t const* const channel = beam_.channel;
   double* const colour = out.colour;
   each_lane(rays, [&](std::size_t, int k) { colour[k] = value[channel[k]]; });
   std::fill_n(out.filter, met_.rays, pigment.filter);
   std::fill_n(out.transmit, met_.rays, pigment.transmit);
   each_ray(rays, [&](std::size_t r, int first) {
-    out.opaque[r] = opacity(stage_, {colour + first, pigment.filter, pigment.transmit}, each());
+    out.opaque[r] = surface::opacity(stage_.textures,
+                                     {colour + first, pigment.filter, pigment.transmit}, each());
   });
 }
 

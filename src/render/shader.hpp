@@ -2,9 +2,9 @@
 #pragma once
 
 #include "render/interface.hpp"
-#include "render/pigment.hpp"
 #include "render/shade_lanes.hpp"
 #include "render/tracer.hpp"
+#include "surface/pigment.hpp"
 
 namespace abbe::render {
 

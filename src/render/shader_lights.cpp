@@ -163,9 +163,11 @@ void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, std::si
   double rest = distance;
   bool lit = true;
   light.throughput = left;
+  // What the lamp lies on, within rounding errors, is not in its way.
   while (lit
          && tracer_.stage_.world->closest(way.line, way.from, filter_shadow_bit, rest,
-                                          *tracer_.scratch_, frame.hit)) {
+                                          *tracer_.scratch_, frame.hit)
+         && frame.hit.t + frame.hit.error < rest) {
     way.inside = tracer_.travel(way, frame.hit.t, light);
     Medium const& medium = stage_.media[static_cast<std::size_t>(tracer_.medium_of(way.inside))];
     InsideNode const* next = tracer_.after_crossings(way.inside, frame.hit);
@@ -175,8 +177,9 @@ void Shader<Lanes>::filter_shadow(Vec3 const& to_light, double distance, std::si
     if (tracer_.medium_of(next) != tracer_.medium_of(way.inside))
       for (int k = 0; k < each(); ++k) left[k] *= shadow_fade(medium, light.channel[k], travelled);
     for (auto const& crossing : frame.hit.crossings)
-      tint(stage_, stage_.surfaces[crossing.primitive], frame.hit.point, light.channel, each(),
-           left, tracer_.arena_);
+      stage_.reader().tint(frame.hit, crossing, stage_.caustics(crossing.solid),
+                           {frame.hit.point, to_light, light.channel, each(), left},
+                           tracer_.arena_);
     lit = any_above(left, each(), 0);
     rest -= frame.hit.t;
     frame.through.on = frame.hit.members;

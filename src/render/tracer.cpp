@@ -3,8 +3,8 @@
 
 #include "optics/refract.hpp"
 #include "render/absorption.hpp"
-#include "render/pigment.hpp"
 #include "render/shader.hpp"
+#include "surface/pigment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +152,7 @@ InsideNode const* Tracer::inside_at(Vec3 const& point) {
   stage_.world->containing(point, *scratch_, solids);
   InsideNode const* inside = nullptr;
   for (auto const solid : solids)
-    if (stage_.solids[solid].has_medium) {
+    if (stage_.solids[solid].has_medium && !stage_.solids[solid].sheet) {
       // The camera's own list outlives every sample, so it has an arena of its own.
       Arena& arena =
           stage_.camera.kind == scene::Camera::Kind::Perspective ? camera_arena_ : arena_;
@@ -206,16 +206,45 @@ InsideNode const* Tracer::without(InsideNode const* inside, geometry::SolidId so
   return rebuilt;
 }
 
+InsideNode const* Tracer::entered(InsideNode const* inside, geometry::SolidId solid) {
+  auto* const node = arena_.take<InsideNode>(1);
+  *node = {solid, inside};
+  return node;
+}
+
 InsideNode const* Tracer::after_crossings(InsideNode const* inside, geometry::HitGroup const& hit) {
-  for (auto const& crossing : hit.crossings)
-    if (!crossing.entering && crossing.toggles && stage_.solids[crossing.solid].has_medium)
-      inside = without(inside, crossing.solid);
+  bool any_open = false;
   for (auto const& crossing : hit.crossings) {
-    if (!crossing.entering || !crossing.toggles || !stage_.solids[crossing.solid].has_medium)
-      continue;
-    auto* const node = arena_.take<InsideNode>(1);
-    *node = {crossing.solid, inside};
-    inside = node;
+    CompiledSolid const& solid = stage_.solids[crossing.solid];
+    if (!solid.has_medium) continue;
+    any_open = any_open || solid.open;
+    if (!solid.open && !crossing.entering && crossing.toggles)
+      inside = without(inside, crossing.solid);
+  }
+  for (auto const& crossing : hit.crossings) {
+    CompiledSolid const& solid = stage_.solids[crossing.solid];
+    if (solid.has_medium && !solid.open && crossing.entering && crossing.toggles)
+      inside = entered(inside, crossing.solid);
+  }
+  return any_open ? after_open_crossings(inside, hit) : inside;
+}
+
+InsideNode const* Tracer::after_open_crossings(InsideNode const* inside,
+                                               geometry::HitGroup const& hit) {
+  auto const medium_of_crossing = [&](geometry::SurfaceCrossing const& crossing) {
+    CompiledSolid const& solid = stage_.solids[crossing.solid];
+    return solid.has_medium && solid.open ? solid.medium : -1;
+  };
+  for (auto crossing = hit.crossings.begin(); crossing != hit.crossings.end(); ++crossing) {
+    int const medium = medium_of_crossing(*crossing);
+    // Surfaces that share an interior and meet in the hit are one.
+    bool const again = std::any_of(hit.crossings.begin(), crossing, [&](auto const& earlier) {
+      return medium_of_crossing(earlier) == medium;
+    });
+    if (medium < 0 || again) continue;
+    InsideNode const* node = inside;
+    while (node && stage_.solids[node->solid].medium != medium) node = node->below;
+    inside = node ? without(inside, node->solid) : entered(inside, crossing->solid);
   }
   return inside;
 }
@@ -238,12 +267,13 @@ void Tracer::add_background(Vec3 const& direction, Beam const& beam) {
   auto* left = arena_.take<double>(static_cast<std::size_t>(beam.lanes));
   std::fill_n(left, beam.lanes, 1.0);
   // Below version 3.7, a layer's colour filters the background, but not the layers under it.
-  bool const plain_layers = stage_.opacity_version < 3.7;
+  bool const plain_layers = stage_.textures.opacity_version < 3.7;
   double filter = 1, transmit = 1, through = 1; // all layers above
   for (auto number = stage_.sky_pigments.rbegin(); number != stage_.sky_pigments.rend(); ++number) {
     Arena::Scope const of_pigment(arena_);
-    PigmentValue pigment{arena_.take<double>(static_cast<std::size_t>(beam.lanes))};
-    evaluate_pigment<0>(stage_, *number, point, beam.channel, beam.lanes, pigment, arena_);
+    surface::PigmentValue pigment{arena_.take<double>(static_cast<std::size_t>(beam.lanes))};
+    surface::evaluate_pigment<0>(stage_.textures, *number, point, beam.channel, beam.lanes, pigment,
+                                 arena_);
     double const opaque = 1 - pigment.filter - pigment.transmit;
     for (int k = 0; k < beam.lanes; ++k) {
       double const share = opaque * (plain_layers ? through : left[k]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/arena.hpp"
 #include "geometry/fan.hpp"
-#include "render/arena.hpp"
 #include "render/beam.hpp"
 #include "render/camera.hpp"
 #include "render/cut_light.hpp"
@@ -110,7 +110,10 @@ private:
   /// Takes out of the hit the surfaces that lie where a medium of higher priority displaces theirs.
   void drop_displaced(InsideNode const* before, InsideNode const* after,
                       geometry::HitGroup& hit) const;
+  InsideNode const* entered(InsideNode const* inside, geometry::SolidId solid);
   InsideNode const* after_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
+  /// Of the solids that their surface does not enclose (CompiledSolid::open).
+  InsideNode const* after_open_crossings(InsideNode const* inside, geometry::HitGroup const& hit);
   InsideNode const* inside_at(Vec3 const& point);
   int medium_of(InsideNode const* inside) const;
   double index_of(int medium, Beam const& beam);

@@ -276,7 +276,7 @@ bool Tracer::interact_fan(FanRay const& fan, Beam const& incoming, FanHits const
   bool const meets_comb = face.splits && face.comb != no_comb && incoming.comb == no_comb;
   auto const& crossings = here.hit.crossings;
   auto const mirrors = [&](auto const& crossing) {
-    return stage_.mirrors(stage_.surfaces[crossing.primitive]);
+    return stage_.textures.mirrors(stage_.textures.surfaces[crossing.primitive]);
   };
   if (face.doubles || (meets_comb && std::any_of(crossings.begin(), crossings.end(), mirrors)))
     return false;
@@ -324,7 +324,7 @@ double* Tracer::share(FanMet const& at, Beam& light, LaneInterface& face, double
   std::size_t const n = at.fan.lines->count;
   auto const& crossings = at.here.hit.crossings;
   auto const bare = [&](auto const& crossing) {
-    return stage_.surfaces[crossing.primitive].bare();
+    return stage_.textures.surfaces[crossing.primitive].bare();
   };
   if (!face.splits && std::all_of(crossings.begin(), crossings.end(), bare)) {
     share_bare(at.met, face.fresnel, n, at.fan.lanes_each, returns, light.throughput);

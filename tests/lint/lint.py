@@ -25,8 +25,9 @@ MAY_INCLUDE = {
     'scene': {'base', 'optics', 'geometry', 'texture'},
     'lang': {'base', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
     'plan': {'base', 'optics', 'geometry', 'texture', 'scene', 'image'},
-    'render': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'image'},
-    'study': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'render', 'image'},
+    'surface': {'base', 'geometry', 'texture', 'scene'},
+    'render': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'image'},
+    'study': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
 }
 MAY_INCLUDE['cli'] = set(MAY_INCLUDE)
 

@@ -25,6 +25,7 @@ public:
   Slice<L> slice(Line<L> const& line) const;
   bool visible(std::uint32_t face) const { return !open_ || face >= 2; }
   bool ends_visible() const override { return !open_; }
+  Boundary boundary() const override { return open_ ? Boundary::Open : Boundary::Whole; }
   bool flat(std::uint32_t) const override { return true; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;

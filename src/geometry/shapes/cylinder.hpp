@@ -28,6 +28,7 @@ public:
   }
   bool visible(std::uint32_t face) const { return !open_ || face == 0; }
   bool ends_visible() const override { return !open_; }
+  Boundary boundary() const override { return open_ ? Boundary::Open : Boundary::Whole; }
   bool flat(std::uint32_t face) const override { return face != 0; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;

@@ -33,6 +33,7 @@ public:
   bool visible(std::uint32_t) const { return true; }
   bool ends_visible() const override { return false; } // the hole, and beyond the rim
   bool flat(std::uint32_t) const override { return true; }
+  Boundary boundary() const override { return Boundary::Sheet; }
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
   bool inside(Vec3 const& point) const override { return glm::dot(normal_, point) <= 0; }
   Vec3 normal(Vec3 const&, std::uint32_t) const override { return normal_; }

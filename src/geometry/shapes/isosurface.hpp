@@ -40,6 +40,7 @@ public:
                        Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Boundary boundary() const override { return open_ ? Boundary::Open : Boundary::Whole; }
   Bounds bounds() const override { return {container_.low, container_.high, false}; }
   double ball_radius() const override;
 

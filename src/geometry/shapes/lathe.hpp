@@ -38,6 +38,7 @@ public:
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Boundary boundary() const override { return lids_.empty() ? Boundary::Whole : Boundary::Open; }
   Bounds bounds() const override;
   double ball_radius() const override { return ball_; }
   std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;

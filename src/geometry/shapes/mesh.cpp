@@ -152,6 +152,18 @@ Vec3 Mesh::normal(Vec3 const& point, std::uint32_t face) const {
   return finite(smooth) && smooth != Vec3(0) ? unit_vector(smooth) : flat;
 }
 
+Vec3 Mesh::facing(Vec3 const& point, std::uint32_t face) const {
+  if (!data_.normals.empty()) {
+    Corners const& f =
+        data_.normal_corners.empty() ? data_.faces[face] : data_.normal_corners[face];
+    auto const normal_of = [&](std::size_t corner) { return data_.normals[f[corner]]; };
+    bool const smoothed = f[0] != MeshData::flat;
+    if (smoothed && (data_.lone || normal_of(0) != normal_of(1) || normal_of(0) != normal_of(2)))
+      return normal(point, face);
+  }
+  return -geometric_normal(point, face);
+}
+
 int Mesh::face_texture(std::uint32_t face) const {
   return data_.textures.empty() ? -1 : data_.textures[face][0];
 }

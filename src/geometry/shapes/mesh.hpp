@@ -28,6 +28,7 @@ struct MeshData {
   std::vector<Corners> uv_corners;
   std::vector<std::array<std::int32_t, 3>> textures; ///< per face, of its corners; empty: none
   std::optional<Vec3> inside_vector;
+  bool lone = false; ///< one triangle, by a statement of its own
   static constexpr std::uint32_t flat = 0xffffffff;
 };
 
@@ -49,6 +50,12 @@ public:
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const override;
   bool smoothed() const override { return !data_.normals.empty(); }
+  Side side() const override {
+    return data_.lone && data_.normals.empty() ? Side::FacingByAxis : Side::Facing;
+  }
+  /// As in POV-Ray: a smoothed normal where the corners' differ, else the side from which the
+  /// corners run counter-clockwise (x to the right, y up, seen along +z).
+  Vec3 facing(Vec3 const& point, std::uint32_t face) const override;
   bool flat(std::uint32_t) const override { return data_.normals.empty(); }
   Bounds bounds() const override { return bounds_; }
   bool solid() const override { return data_.inside_vector.has_value(); }

@@ -135,6 +135,7 @@ std::optional<PlacedShape> read_single(Parameters& parameters, bool smooth) {
                     "a smooth_triangle whose normals are not on one side of it is not drawn");
   MeshData data = collector.take();
   if (data.faces.empty()) return std::nullopt; // reported
+  data.lone = true;
   return finish(std::move(data), parameters);
 }
 

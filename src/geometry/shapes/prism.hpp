@@ -32,6 +32,7 @@ public:
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  Boundary boundary() const override { return open_ ? Boundary::Open : Boundary::Whole; }
   Bounds bounds() const override;
   double ball_radius() const override { return glm::length(bounds().high - bounds().low) / 2; }
 

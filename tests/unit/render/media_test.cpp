@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/box.hpp"
+#include "geometry/shapes/disc.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/sphere.hpp"
@@ -133,6 +134,45 @@ TEST(Media, LampsInsideGlassSendThroughIt) {
   EXPECT_NEAR(lit({medium(ball(1), 5), medium(ball(3), 2)}, Vec3(0)), std::exp(-1 / 5.0 - 1),
               tolerance);
   EXPECT_NEAR(lit({medium(ball(1), 5), medium(ball(3), 2, 1)}, Vec3(0)), std::exp(-1.5), tolerance);
+}
+
+TEST(Media, LampsOnAPaneAreNotBehindIt) {
+  // From the wall straight to the lamp, which lies on the near face of a dark pane: many places,
+  // since roundings decide on which side of the lamp the face is met.
+  for (int i = 0; i < 200; ++i) {
+    auto pane = medium(slab(1, 3), 0);
+    pane.texture = plain(Vec3(1), 0.5);
+    Vec3 const lamp(0.013 * i, -0.007 * i, 3);
+    EXPECT_EQ(lit({pane}, lamp), lit({}, lamp)) << i;
+    EXPECT_LT(lit({pane}, lamp - Vec3(0, 0, 1e-9)), 0.6 * lit({}, lamp)) << i;
+  }
+}
+
+/// A disc across the axis that the pixel looks along, at z.
+scene::Object sheet(double z, double side, std::shared_ptr<scene::Interior const> interior) {
+  auto out = medium(*geometry::make_disc({0, 0, z}, {0, 0, side}, 5, 0), 0);
+  out.interior = std::move(interior);
+  return out;
+}
+
+TEST(Media, SheetsAreEnteredFromOutsideAndLeftFromInside) {
+  auto const interior = medium(ball(1), 2).interior;
+  for (double const near : {-1.0, 1.0}) // which side a normal points to makes no difference
+    for (double const far : {-1.0, 1.0})
+      EXPECT_NEAR(seen({sheet(2, near, interior), sheet(5, far, interior)}), std::exp(-1.5),
+                  tolerance);
+  // Not of one interior: both are entered, and only what rules is left.
+  auto const other = medium(ball(1), 4).interior;
+  EXPECT_NEAR(seen({sheet(2, -1, interior), sheet(3, -1, other), sheet(7, 1, other),
+                    sheet(9, 1, interior)}),
+              std::exp(-0.5 - 1 - 1), tolerance);
+}
+
+TEST(Media, ClippedSolidsAreEnteredWhereTheyAreFirstMet) {
+  // The far half of a ball from 3 to 5, in front of a sheet of the same interior at 7.
+  auto half = medium(*geometry::make_sphere({0, 0, 4}, 1), 2);
+  half.clipped_by = {medium(slab(4, 9), 0)};
+  EXPECT_NEAR(seen({half, sheet(7, 1, half.interior)}), std::exp(-1.0), tolerance);
 }
 
 /// A cube from 1 to 5 in depth, as a mesh; `missing` triangles are left out from the end, which is

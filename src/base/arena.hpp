@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace abbe::render {
+namespace abbe {
 
 /// Stack-like scratch memory of one thread: a path takes what it needs on its way down and gives it
 /// back by leaving a Scope. Nothing is allocated per ray once the blocks have grown.
@@ -72,4 +72,4 @@ private:
   std::size_t used_ = 0;
 };
 
-} // namespace abbe::render
+} // namespace abbe

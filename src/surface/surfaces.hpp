@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abbe::render {
+namespace abbe::surface {
 
 /// Everything about the surface of a primitive: numbers of layers, which Surfaces keep.
 struct Surface {
@@ -66,4 +66,4 @@ private:
   std::vector<Kind> kinds_;
 };
 
-} // namespace abbe::render
+} // namespace abbe::surface

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/arena.hpp"
-#include "render/stage.hpp"
+#include "base/arena.hpp"
+#include "surface/textures.hpp"
 
 #include <algorithm>
 
-namespace abbe::render {
+namespace abbe::surface {
 
 /// A pigment at a point, for the lanes of a ray.
 struct PigmentValue {
@@ -17,32 +17,27 @@ struct PigmentValue {
 
 /// Of a pigment without a pattern: the same everywhere. @tparam Lanes of the ray; 0: any number
 template <int Lanes>
-void plain_pigment(Stage const& stage, CompiledPigment const& pigment, std::uint16_t const* channel,
-                   int lanes, PigmentValue& out) {
+void plain_pigment(Textures const& textures, CompiledPigment const& pigment,
+                   std::uint16_t const* channel, int lanes, PigmentValue& out) {
   out.filter = pigment.filter;
   out.transmit = pigment.transmit;
-  double const* const colour = stage.colour(pigment);
+  double const* const colour = textures.colour(pigment);
   for (int k = 0; k < (Lanes > 0 ? Lanes : lanes); ++k) out.colour[k] = colour[channel[k]];
 }
 
 /// @param point in texture space
 /// @tparam Lanes of the ray: 1, 3, or 0 for any number
 template <int Lanes>
-void evaluate_pigment(Stage const& stage, int pigment, Vec3 const& point,
+void evaluate_pigment(Textures const& textures, int pigment, Vec3 const& point,
                       std::uint16_t const* channel, int lanes, PigmentValue& out, Arena& arena);
 
 /// How much of the surface is not see-through: scales diffuse and ambient light (POV-Ray's rule,
 /// which changed with version 3.7).
-inline double opacity(Stage const& stage, PigmentValue const& value, int lanes) {
-  if (stage.opacity_version >= 3.7) return 1 - value.filter - value.transmit;
+inline double opacity(Textures const& textures, PigmentValue const& value, int lanes) {
+  if (textures.opacity_version >= 3.7) return 1 - value.filter - value.transmit;
   double brightest = 0;
   for (int k = 0; k < lanes; ++k) brightest = std::max(brightest, value.colour[k]);
   return 1 - (value.filter * brightest + value.transmit);
 }
 
-/// What the layers of a surface leave of light that passes straight through. @param left of a ray,
-/// a value a lane
-void tint(Stage const& stage, Surface const& surface, Vec3 const& point,
-          std::uint16_t const* channel, int lanes, double* left, Arena& arena);
-
-} // namespace abbe::render
+} // namespace abbe::surface

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "render/surfaces.hpp"
+#include "surface/surfaces.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace abbe::render {
+namespace abbe::surface {
 
 void Surfaces::reserve(std::size_t primitives) {
   number_.reserve(primitives);
@@ -45,4 +45,4 @@ void Surfaces::add(SurfaceLayers surface, scene::Object const& object) {
   others_.push_back(std::move(surface));
 }
 
-} // namespace abbe::render
+} // namespace abbe::surface
