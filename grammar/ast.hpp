@@ -168,9 +168,9 @@ struct Block {
   Span span;
   Name head;
   Items items;
-  /// Not closed here, in a branch of an #if. Either the #if has `open_blocks`, and its `tail` goes
-  /// on with this block; or whatever is executed next, up to a Punctuation '}', belongs to it as
-  /// well.
+  /// Not closed here, but in another text. Either it is the end of a branch of an #if that has
+  /// `open_blocks`, and its `tail` goes on with this block; or whatever is executed next, up to a
+  /// Punctuation '}', belongs to it as well.
   bool open = false;
 };
 
@@ -197,10 +197,16 @@ struct Bracket {
   Items items;
 };
 /// A lone `:` (`xyz(1,0,0): 2`) or `;`, which few contexts allow. `}` closes the Block, `)` the
-/// #write, that another branch of an #if left `open`.
+/// #write, that another text left `open`.
 struct Punctuation {
   Span span;
   char symbol = 0;
+};
+
+/// The body of a directive that is not whole: it opens a block that another text closes, or makes
+/// no sense. When it is executed, it is read an item at a time (parse_loose).
+struct Text {
+  Span span;
 };
 
 /// `#if #ifdef #ifndef ... #elseif ... #else ... #end`
@@ -237,6 +243,7 @@ struct For {
 struct Switch {
   Span span;
   Expr value;
+  Items before; ///< what stands before the first clause is executed, whichever is taken
   struct Clause {
     Span span;
     enum class Kind : std::uint8_t { Case, Range, Else } kind = Kind::Case;
@@ -254,7 +261,9 @@ struct Declare {
   String deprecation; ///< the message of `deprecated "..."`, its span invalid when there is none
   Expr target;
   /// One expression as a rule (a block is one too); more for fragments (`color rgb <1,0,0> filter
-  /// .5`, old-style `texture { ... } finish { ... }` without a block stays one item each).
+  /// .5`, old-style `texture { ... } finish { ... }` without a block stays one item each). None:
+  /// the value is what comes next when the directive is carried out (`#declare A = #declare B = 3;
+  /// B;`).
   Items value;
   bool has_semicolon = false;
 };
@@ -275,7 +284,7 @@ struct Directive {
 };
 
 struct Item
-    : x3::variant<Expr, Word, LiteralVectors, Bracket, Punctuation, x3::forward_ast<If>,
+    : x3::variant<Expr, Word, LiteralVectors, Bracket, Punctuation, Text, x3::forward_ast<If>,
                   x3::forward_ast<While>, x3::forward_ast<For>, x3::forward_ast<Switch>,
                   x3::forward_ast<Declare>, x3::forward_ast<Macro>, x3::forward_ast<Directive>> {
   using base_type::base_type;

@@ -15,7 +15,7 @@ BOOST_FUSION_ADAPT_STRUCT(abbe::ast::Function, has_parameters, parameters, sizes
 BOOST_FUSION_ADAPT_STRUCT(abbe::ast::If::Branch, test, condition, items)
 BOOST_FUSION_ADAPT_STRUCT(abbe::ast::While, condition, items)
 BOOST_FUSION_ADAPT_STRUCT(abbe::ast::For, counter, arguments, items)
-BOOST_FUSION_ADAPT_STRUCT(abbe::ast::Switch, value, clauses)
+BOOST_FUSION_ADAPT_STRUCT(abbe::ast::Switch, value, before, clauses)
 BOOST_FUSION_ADAPT_STRUCT(abbe::ast::Switch::Clause, kind, bounds, items)
 BOOST_FUSION_ADAPT_STRUCT(abbe::ast::Declare, local, deprecated, deprecated_once, deprecation,
                           target, value, has_semicolon)

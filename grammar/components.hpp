@@ -16,7 +16,8 @@ namespace abbe::grammar {
 [[noreturn]] void throw_too_deep(Iterator at);
 [[noreturn]] void throw_too_high(Iterator begin, Iterator end);
 /// See Structure.
-inline bool may_stay_open(State const& state, Iterator opener) {
+inline bool may_stay_open(State const& state, Iterator opener, Iterator at) {
+  if (state.loose && at == state.end && *opener == '{') return true;
   return state.structure && state.structure->open.contains(opener);
 }
 inline bool closes_other(State const& state, Iterator closer) {
@@ -41,9 +42,10 @@ struct Nest {
   State& state_;
 };
 
-/// A '#' that no word follows: POV-Ray passes over it, and a scene of its own has one.
+/// A '#' before something that is no directive and not like one (`#union {`): POV-Ray passes over
+/// it, and a scene of its own has one.
 inline bool at_lone_hash(Iterator at, Iterator last) {
-  return *at == '#' && directive_at(at, last).empty();
+  return *at == '#' && is_no_directive(directive_at(at, last));
 }
 
 /// Items with any commas between and around them: plain ones, blocks `head { ... }`, whose braces
@@ -131,10 +133,11 @@ struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, 
     state.braces += block;
     if (!this->subject.parse(at, last, context, rcontext, actual)) throw_expected(what_, at, last);
     at = skip_blanks(at, last);
-    bool const closed = at != last && *at == close_[0] && !closes_other(state, at);
+    bool const closed = at != last && *at == close_[0] && !closes_other(state, at)
+                        && !(state.structure && state.structure->open.contains(opener));
     if (closed)
       ++at;
-    else if (!may_stay_open(state, opener))
+    else if (!may_stay_open(state, opener, at))
       throw_unclosed(close_, what_, opener, opener + 1, at, last);
     state.closed = closed;
     state.bracket = outer_bracket;

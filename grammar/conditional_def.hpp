@@ -29,13 +29,13 @@ auto const named_condition_def = mark('(') > reference > mark(')');
 auto const test = [](auto const& word, Test kind) { return x3::omit[word] >> x3::attr(kind); };
 
 x3::rule<BranchId, ast::If::Branch> const branch = "'#if'";
-auto const branch_def = (test(hash("if"), Test::If) > condition > items)
-                        | (test(hash("ifdef"), Test::Ifdef) > named_condition > items)
-                        | (test(hash("ifndef"), Test::Ifndef) > named_condition > items);
+auto const branch_def = (test(hash("if"), Test::If) > condition > body)
+                        | (test(hash("ifdef"), Test::Ifdef) > named_condition > body)
+                        | (test(hash("ifndef"), Test::Ifndef) > named_condition > body);
 
 x3::rule<MoreId, ast::If::Branch> const more = "'#else'";
-auto const more_def = (test(hash("elseif"), Test::If) > condition > items)
-                      | (test(hash("else"), Test::Else) > x3::attr(ast::Expr{}) > items);
+auto const more_def = (test(hash("elseif"), Test::If) > condition > body)
+                      | (test(hash("else"), Test::Else) > x3::attr(ast::Expr{}) > body);
 
 x3::rule<IfId, ast::If> const if_ = "'#if'";
 auto const if__def =
@@ -43,11 +43,11 @@ auto const if__def =
 
 // ----------------------------------------------------------------------------------------- loops
 x3::rule<WhileId, ast::While> const while_ = "'#while'";
-auto const while__def = until_end[x3::omit[hash("while")] > condition > items];
+auto const while__def = until_end[x3::omit[hash("while")] > condition > body];
 
 x3::rule<ForId, ast::For> const for_ = "'#for'";
 auto const for__def = until_end[x3::omit[hash("for")] > mark('(') > NewName("a counter")
-                                > -mark(',') > (full_expression % -mark(',')) > mark(')') > items];
+                                > -mark(',') > (full_expression % -mark(',')) > mark(')') > body];
 
 // --------------------------------------------------------------------------------------- #switch
 auto const kind = [](auto const& word, Kind which) { return x3::omit[word] >> x3::attr(which); };
@@ -58,12 +58,12 @@ auto const two_bounds_def = mark('(') > full_expression > -mark(',') > full_expr
 
 x3::rule<ClauseId, ast::Switch::Clause> const clause = "'#case'";
 auto const clause_def =
-    (kind(hash("case"), Kind::Case) > one_bound > items)
-    | (kind(hash("range"), Kind::Range) > two_bounds > items)
-    | (kind(hash("else"), Kind::Else) > x3::attr(std::vector<ast::Expr>{}) > items);
+    (kind(hash("case"), Kind::Case) > one_bound > body)
+    | (kind(hash("range"), Kind::Range) > two_bounds > body)
+    | (kind(hash("else"), Kind::Else) > x3::attr(std::vector<ast::Expr>{}) > body);
 
 x3::rule<SwitchId, ast::Switch> const switch_ = "'#switch'";
-auto const switch__def = until_end[x3::omit[hash("switch")] > condition > *clause];
+auto const switch__def = until_end[x3::omit[hash("switch")] > condition > body > *clause];
 
 auto const conditional_def = if_ | while_ | for_ | switch_;
 

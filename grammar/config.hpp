@@ -42,6 +42,10 @@ struct State {
   void const* statements = nullptr;
   Iterator pause = nullptr;
   bool lasting = false; ///< was there a macro or a function since the last pause?
+  bool flat = false;    ///< an item of a Text is being read: values of #declare follow it
+  /// A Text or an #include came before: macros may open blocks that are closed here, and close
+  /// some.
+  bool loose = false;
 
   Iterator end = nullptr;             ///< of the text
   std::optional<Structure> structure; ///< made at the first #if

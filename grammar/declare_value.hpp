@@ -14,13 +14,11 @@ bool at_texture(Iterator at, Iterator last);
 /// - `texture {...} texture {...}`: layers, as long as they follow each other directly;
 /// - an operand, then perhaps colour words and values: `White filter .5`;
 /// - a word, then words and values: `rgb <1,0,0> filter .5`, `transform Tr`;
-/// - a conditional that yields the value.
-template <class Operand, class Expression, class Conditional>
-struct DeclareValueParser : x3::parser<DeclareValueParser<Operand, Expression, Conditional>>,
-                            Labelled {
-  constexpr DeclareValueParser(Operand const& operand, Expression const& expression,
-                               Conditional const& conditional)
-      : operand_(operand), expression_(expression), conditional_(conditional) {}
+/// - nothing, before a directive or in a text that is not whole: see ast::Declare::value.
+template <class Operand, class Expression>
+struct DeclareValueParser : x3::parser<DeclareValueParser<Operand, Expression>>, Labelled {
+  constexpr DeclareValueParser(Operand const& operand, Expression const& expression)
+      : operand_(operand), expression_(expression) {}
   using attribute_type = ast::Items;
   static bool const has_attribute = true;
   static bool const handles_container = true;
@@ -33,7 +31,9 @@ struct DeclareValueParser : x3::parser<DeclareValueParser<Operand, Expression, C
       out.emplace_back(std::move(node));
       return true;
     };
-    bool const layered = at_texture(skip_blanks(first, last), last);
+    Iterator const at = skip_blanks(first, last);
+    if (state_of(context).flat || (at != last && *at == '#')) return true;
+    bool const layered = at_texture(at, last);
     if (take(operand_, ast::Expr{})) {
       if (layered)
         while (at_texture(skip_blanks(first, last), last) && take(operand_, ast::Expr{})) {
@@ -51,20 +51,15 @@ struct DeclareValueParser : x3::parser<DeclareValueParser<Operand, Expression, C
       }
       return true;
     }
-    ast::Item chosen;
-    if (!conditional_.parse(first, last, context, rcontext, chosen)) return false;
-    out.push_back(std::move(chosen));
-    return true;
+    return false;
   }
   std::string label() const { return "a value"; }
   Operand operand_;
   Expression expression_;
-  Conditional conditional_;
 };
-template <class Operand, class Expression, class Conditional>
-constexpr auto declare_value(Operand const& operand, Expression const& expression,
-                             Conditional const& conditional) {
-  return DeclareValueParser<Operand, Expression, Conditional>(operand, expression, conditional);
+template <class Operand, class Expression>
+constexpr auto declare_value(Operand const& operand, Expression const& expression) {
+  return DeclareValueParser<Operand, Expression>(operand, expression);
 }
 
 /// Leaves as expressions: an Item holds them that way.

@@ -12,7 +12,14 @@ namespace abbe::grammar::rules {
 
 struct DeclareId : tag_span {};
 struct MacroId : tag_lasting {};
-struct PlainId : tag_open {};
+struct PlainId : tag_open {
+  template <class AnyContext>
+  void on_success(Iterator const& first, Iterator const& end, ast::Directive& node,
+                  AnyContext const& context) {
+    tag_open::on_success(first, end, node, context);
+    if (node.word == "include") state_of(context).loose = true;
+  }
+};
 
 // ------------------------------------------------------------------------------------- arguments
 x3::rule<struct ValueItemId, ast::Item> const value_item = "a value";
@@ -57,14 +64,14 @@ x3::rule<DeclareId, ast::Declare> const declare = "'#declare'";
 auto const declare_def = is_local > x3::matches[keyword("deprecated")]
                          > x3::matches[keyword("once")]
                          > (StringLiteral{} | x3::attr(ast::String{})) > target > mark('=')
-                         > declare_value(operand, expression, conditional | plain)
-                         > x3::matches[mark(';')];
+                         > declare_value(operand, expression) > x3::matches[mark(';')]
+                         > x3::omit[*mark(';')];
 
 x3::rule<MacroId, ast::Macro> const macro = "'#macro'";
 auto const macro_parameters =
     between('(', ')', "parameter list", Flavour::Bare)[*(NewName("a parameter") >> -mark(','))];
 auto const macro_def =
-    until_end[x3::omit[hash("macro")] > NewName("the name of a macro") > macro_parameters > items];
+    until_end[x3::omit[hash("macro")] > NewName("the name of a macro") > macro_parameters > body];
 
 auto const directive_def = DirectiveAhead{}
                            >> (plain | declare | conditional | macro | UnknownDirective{});

@@ -111,6 +111,7 @@ public:
   void operator()(ast::Punctuation const& node) {
     line("Punctuation", node.span, std::string(1, node.symbol));
   }
+  void operator()(ast::Text const& node) { line("Text", node.span, ""); }
   void operator()(ast::If const& node) {
     static constexpr char const* names[] = {"if", "ifdef", "ifndef", "else"};
     line("If", node.span, node.open_blocks > 0 ? "with tail" : "");
@@ -140,6 +141,7 @@ public:
     line("Switch", node.span, "");
     children(node.value);
     Deeper const deeper(*this);
+    if (!node.before.empty()) labelled("before", node.before);
     for (auto const& clause : node.clauses) {
       line("Clause", clause.span, names[static_cast<int>(clause.kind)]);
       children(clause.bounds);

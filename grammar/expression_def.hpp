@@ -27,7 +27,8 @@ auto const index__def = array_name >> +subscript;
 constexpr auto name = NameOf(operand_names, Brace::Any, "a name");
 auto const reference_def = index_ | name;
 
-auto const arguments = between('(', ')', "argument list", Flavour::Bare)[-(argument % mark(','))];
+auto const arguments =
+    between('(', ')', "argument list", Flavour::Bare)[-(argument % mark(',') >> -mark(','))];
 
 auto const literal = NumberLiteral{} | LiteralVector{} | StringLiteral{};
 auto const postfix_def =

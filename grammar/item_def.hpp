@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grammar/body.hpp"
 #include "grammar/directive.hpp"
 #include "grammar/expression.hpp"
 #include "grammar/item.hpp"
@@ -14,7 +15,6 @@ struct BareBlockId : tag_open {};
 struct BracketId : tag_span {};
 struct ArrayId : tag_span {};
 struct FunctionId : tag_lasting {};
-struct ItemId;
 
 // -------------------------------------------------------------------------------------- blocks
 auto const braces = between('{', '}', "block", Flavour::Bare)[items];
@@ -44,13 +44,14 @@ auto const function_def = keyword("function") > x3::matches[&mark('(')] > -param
 // ---------------------------------------------------------------------------------------- items
 auto const operand_def = outlined<ast::Expr>(function | array | block | bare_block) | expression;
 
-x3::rule<ItemId, ast::Item> const item = "an item";
 auto const item_def = outlined<ast::Item>(directive) | outlined<ast::Item>(operand)
                       | outlined<ast::Item>(WordLiteral{} | bracket | PunctuationLiteral{});
 
 auto const items_def = list_of(item, braces);
 auto const argument_def = +item;
+auto const body_def = body_of(items);
 
-BOOST_SPIRIT_DEFINE(items, argument, block, operand, item, bare_block, bracket, array, function)
+BOOST_SPIRIT_DEFINE(items, argument, body, block, operand, item, bare_block, bracket, array,
+                    function)
 
 } // namespace abbe::grammar::rules

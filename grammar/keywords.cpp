@@ -3,6 +3,9 @@
 
 #include "grammar/keywords.def"
 
+#include "base/diagnostic.hpp"
+
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -75,6 +78,22 @@ std::span<std::string_view const> directive_words() {
       std::string_view("write"),
       std::string_view("range")};
   return words;
+}
+
+bool opens_body(std::string_view directive) {
+  return directive == "if" || directive == "ifdef" || directive == "ifndef" || directive == "while"
+         || directive == "for" || directive == "switch" || directive == "macro";
+}
+
+bool divides_body(std::string_view directive) {
+  return directive == "else" || directive == "elseif" || directive == "case"
+         || directive == "range";
+}
+
+bool is_no_directive(std::string_view word) {
+  auto const words = directive_words();
+  if (std::find(words.begin(), words.end(), word) != words.end()) return false;
+  return word_kind(word) != WordKind::Name || did_you_mean(word, words).empty();
 }
 
 } // namespace abbe::grammar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grammar/components.hpp"
+#include "grammar/directive.hpp"
 
 /// Operators of expressions as X3 directives around the parser of their operands.
 namespace abbe::grammar {
@@ -58,6 +59,11 @@ private:
 
 ast::Expr make_binary(State const& state, ast::BinaryOp op, ast::Expr left, ast::Expr right);
 ast::Expr make_unary(Span span, ast::UnaryOp op, ast::Expr operand);
+/// Is it a directive that may yield a value?
+inline bool is_conditional(ast::Item const& item) {
+  return ast::get_if<ast::If>(item) || ast::get_if<ast::Switch>(item)
+         || ast::get_if<ast::While>(item) || ast::get_if<ast::For>(item);
+}
 
 /// operand { op operand }, grouped from the left, or from the right (relations in functions).
 enum class Grouping : std::uint8_t { Left, Right };
@@ -104,9 +110,16 @@ private:
       ast::BinaryOp op{};
       if (next == last || !scan_operator(level_, next, last, op)) break;
       ast::Expr right;
-      if (!this->subject.parse(next, last, context, rcontext, right))
+      ast::Items led = directives(next, last, context, rcontext);
+      bool const yields = !led.empty() && is_conditional(led.back());
+      if (!yields && !this->subject.parse(next, last, context, rcontext, right))
         throw_expected("a value after the operator", next, last);
       at = next;
+      if (!led.empty()) {
+        Span const span = state.span(state.begin + ast::span_of(led.front()).begin, at);
+        if (!yields) led.emplace_back(std::move(right));
+        right = ast::Expr(ast::Paren{span, std::move(led)});
+      }
       if (operators > max_height) throw_too_high(at, last);
       if (grouping_ == Grouping::Left)
         out = make_binary(state, op, std::move(out), std::move(right));
@@ -116,6 +129,20 @@ private:
     for (auto p = pending.rbegin(); p != pending.rend(); ++p)
       out = make_binary(state, p->first, std::move(p->second), std::move(out));
     return operators;
+  }
+  /// The directives that stand before an operand: `2 + #declare A = 3; A`.
+  template <class AnyContext, class RContext>
+  static ast::Items directives(Iterator& at, Iterator const& last, AnyContext const& context,
+                               RContext& rcontext) {
+    ast::Items found;
+    for (;;) {
+      Iterator const next = skip_blanks(at, last);
+      ast::Item item;
+      if (next == last || *next != '#'
+          || !rules::directive.parse(at, last, context, rcontext, item))
+        return found;
+      found.push_back(std::move(item));
+    }
   }
   Level level_;
   Grouping grouping_;

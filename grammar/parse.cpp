@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace abbe {
@@ -43,6 +44,33 @@ SyntaxError stray(Iterator at, Iterator last) {
             fmt::format("{} without a directive that it could belong to", describe(found))};
   return {"E0112", found.begin, found.end,
           fmt::format("{} stands where a statement should begin", describe(found))};
+}
+
+/// What is wrong with the text, if reading it by `read` does not end well.
+template <class Read>
+std::optional<SyntaxError> error_of(Iterator last, Read const& read) {
+  try {
+    return read();
+  } catch (SyntaxError const& thrown) {
+    return thrown;
+  } catch (x3::expectation_failure<Iterator> const& thrown) {
+    return to_syntax_error(thrown, last);
+  }
+}
+
+/// The head of a block, past its '{'; what it holds comes next.
+bool scan_open_block(Iterator& first, Iterator last, State& state, ast::Item& item) {
+  Iterator at = first;
+  ast::Block block{{}, {}, {}, true};
+  if (*at != '{') {
+    if (scan_plain(at, last, state, item) != Plain::Block) return false;
+    block.head = ast::get_if<ast::Block>(item)->head;
+    at = skip_blanks(at, last);
+  }
+  block.span = state.span(first, at + 1);
+  item = ast::Expr(std::move(block));
+  first = at + 1;
+  return true;
 }
 
 class Run {
@@ -86,6 +114,7 @@ private:
     fresh.statements = state_.statements;
     fresh.pause = state_.pause;
     fresh.lasting = state_.lasting;
+    fresh.loose = state_.loose;
     fresh.kept_from = state_.kept_from;
     fresh.structure = std::move(state_.structure);
     state_ = std::move(fresh);
@@ -94,22 +123,25 @@ private:
   bool parse_items(Iterator& at, ast::Items& all, SyntaxError& error) {
     auto const context = x3::make_context<StateTag>(state_);
     std::size_t const before = all.size();
-    try {
+    bool thrown = true;
+    auto const wrong = error_of(last_, [&]() -> std::optional<SyntaxError> {
       for (;;) {
         rules::items.parse(at, last_, context, x3::unused, all);
         at = skip_blanks(at, last_);
         state_.pass(at);
-        if (at >= state_.pause) return true;
+        if (at >= state_.pause) return std::nullopt;
         if (pending_.take(at, last_)) continue;
-        error = stray(at, last_);
-        return false;
+        if (*at != '}' || !state_.loose) {
+          thrown = false;
+          return stray(at, last_);
+        }
+        all.emplace_back(ast::Punctuation{state_.span(at, at + 1), '}'});
+        ++at;
       }
-    } catch (SyntaxError const& thrown) {
-      error = thrown;
-    } catch (x3::expectation_failure<Iterator> const& thrown) {
-      error = to_syntax_error(thrown, last_);
-    }
-    if (all.size() > before) all.pop_back(); // the item that was being read
+    });
+    if (!wrong) return true;
+    error = *wrong;
+    if (thrown && all.size() > before) all.pop_back(); // the item that was being read
     return false;
   }
 
@@ -119,6 +151,40 @@ private:
   State state_;
   Pending pending_;
 };
+
+LooseItem read_loose_item(Span text, std::uint32_t from, bool full) {
+  char const here = 0;
+  State state;
+  state.source = text.source;
+  state.begin = text.source->text().data();
+  state.kept_from = state.begin;
+  state.end = state.begin + text.end;
+  state.pause = state.end;
+  state.stack_start = &here;
+  state.flat = true;
+  Iterator const last = state.end;
+  Iterator at = state.begin + from;
+  LooseItem out;
+  auto const wrong = error_of(last, [&]() -> std::optional<SyntaxError> {
+    at = skip_blanks(at, last);
+    while (at != last && (*at == ',' || at_lone_hash(at, last))) at = skip_blanks(at + 1, last);
+    if (at == last) return std::nullopt;
+    ast::Item item;
+    if (*at == '}') {
+      item = ast::Punctuation{state.span(at, at + 1), '}'};
+      ++at;
+    } else if (!scan_open_block(at, last, state, item)) {
+      if (full) state.flavour = Flavour::Full;
+      auto const context = x3::make_context<StateTag>(state);
+      if (!rules::item.parse(at, last, context, x3::unused, item)) return stray(at, last);
+    }
+    out.items.push_back(std::move(item));
+    return std::nullopt;
+  });
+  if (wrong) out.error = to_diagnostic(*wrong, state);
+  out.end = static_cast<std::uint32_t>(at - state.begin);
+  return out;
+}
 
 } // namespace
 } // namespace grammar
@@ -151,6 +217,10 @@ Parsed parse(SourceFile const& source) {
   grammar::Run run(source);
   run(source.text().size(), parsed.document.items, parsed.errors);
   return parsed;
+}
+
+LooseItem parse_loose(Span text, std::uint32_t from, bool full) {
+  return grammar::read_loose_item(text, from, full);
 }
 
 struct StatementParser::Impl {

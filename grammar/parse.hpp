@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace abbe {
@@ -20,6 +21,17 @@ struct Parsed {
 /// Syntax only: reads no other file, knows no shape and no keyword's meaning.
 /// Limits (E07xx): nesting of 1000 blocks or parentheses, 4 GiB of text.
 Parsed parse(SourceFile const& source);
+
+/// An item of an ast::Text, read without regard to what it stands in: a block is its head with '{'
+/// (`open`, and empty), the '}' that closes it a Punctuation, a #declare ends behind its '='. Only
+/// vectors, parentheses, and functions, arrays, directives with their bodies are read whole.
+struct LooseItem {
+  ast::Items items; ///< one; none at the end of the text
+  std::uint32_t end = 0;
+  std::optional<Diagnostic> error;
+};
+/// @param full whether it stands in parentheses, where values are compared
+LooseItem parse_loose(Span text, std::uint32_t from, bool full);
 
 /// parse() piece by piece, for sources whose tree would be large: the pieces, one behind another,
 /// are what parse() gives, trees and errors.

@@ -6,14 +6,6 @@
 namespace abbe::grammar {
 namespace {
 
-bool opens_body(std::string_view word) {
-  return word == "if" || word == "ifdef" || word == "ifndef" || word == "while" || word == "for"
-         || word == "switch" || word == "macro";
-}
-bool divides_body(std::string_view word) {
-  return word == "else" || word == "elseif" || word == "case" || word == "range";
-}
-
 /// Column of `at` counted in blanks from the line's start, or -1 when something else stands before
 /// it.
 std::ptrdiff_t indentation(Iterator at, Iterator begin) {

@@ -169,6 +169,7 @@ struct PunctuationLiteral : Terminal<PunctuationLiteral, ast::Punctuation> {
         (*at == '}' || *at == ')') && state.structure && state.structure->close.contains(at);
     bool const semicolon = *at == ';' && (state.bracket == 0 || state.bracket == '{');
     if (*at != ':' && !semicolon && !loose) return false;
+    state.loose |= loose;
     out.symbol = *at++;
     out.span = state.span(at - 1, at);
     return true;

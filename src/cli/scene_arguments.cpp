@@ -176,12 +176,17 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   options.stop = &interrupted();
   if (!arguments.quiet)
     options.on_message = [](std::string_view text) { fmt::print(stderr, "{}", text); };
-  lang::Evaluated evaluated = lang::evaluate_file(arguments.scene, options);
+  std::size_t printed = 0;
   int errors = 0;
-  for (auto const& diagnostic : evaluated.diagnostics) {
+  options.on_diagnostic = [&](Diagnostic const& diagnostic) {
     fmt::print(stderr, "{}\n", format(diagnostic));
     if (diagnostic.severity == Severity::Error) ++errors;
-  }
+    ++printed;
+  };
+  lang::Evaluated evaluated = lang::evaluate_file(arguments.scene, options);
+  // Those about files are made in the end.
+  while (printed < evaluated.diagnostics.size())
+    options.on_diagnostic(evaluated.diagnostics[printed]);
   if (evaluated.unreadable)
     if (auto const hint = hint_of_scene(arguments.scene); !hint.empty())
       fmt::print(stderr, "abbe: {}\n", hint);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace abbe::lang {
 namespace {
@@ -31,13 +32,25 @@ Value colour_value(scene::Colour const& colour) {
 
 } // namespace
 
+bool ReaderImpl::goes_on(bool walled, Next kind, std::string_view word) {
+  if (walled) return next() == kind && peek_.word == word;
+  ast::Item const* const item = upcoming();
+  if (item == nullptr) return false;
+  if (auto const* const found = ast::get_if<ast::Word>(*item))
+    return kind == Next::Word && found->text == word;
+  auto const* const block = ast::get_if<ast::Block>(*item);
+  return kind == Next::Block && block != nullptr && block->head.text == word;
+}
+
 /// `White filter .5`: keywords that set components of the colour read so far.
-Value ReaderImpl::finish_colour(Numeric n) {
+Value ReaderImpl::finish_colour(Numeric n, bool walled) {
   if (n.size == 5) n.colour = true;
   Value value;
-  while (n.size == 5 && next() == Next::Word) {
+  while (n.size == 5) {
     constexpr std::string_view parts[] = {"red", "green", "blue", "filter", "transmit"};
-    auto const part = std::find(std::begin(parts), std::end(parts), peek_.word);
+    auto const part = std::find_if(std::begin(parts), std::end(parts), [&](std::string_view word) {
+      return goes_on(walled, Next::Word, word);
+    });
     if (part == std::end(parts)) break;
     consume();
     n.c[static_cast<std::size_t>(part - parts)] = number(*part);
@@ -48,29 +61,34 @@ Value ReaderImpl::finish_colour(Numeric n) {
 
 Value ReaderImpl::block_value(ast::Block const& block) {
   open_block(block.items, block.span, block.head.text);
+  return opened_value(block.head.text, block.span);
+}
+
+/// The value of the block that was opened, to its end.
+Value ReaderImpl::opened_value(std::string_view head, Span span) {
   Value value;
-  if (block.head.text == "spline") {
+  if (head == "spline") {
     value.any = read_spline(*this);
-  } else if (BlockKind const* const kind = find_block_kind(block.head.text)) {
-    value = kind->read(*this, block.head.text);
+  } else if (BlockKind const* const kind = find_block_kind(head)) {
+    value = kind->read(*this, head);
   } else {
-    in_.error("E0202",
-              fmt::format("'{}' is no kind of block that can be a value{}", block.head.text,
-                          in_.suggestion(block.head.text)),
-              block.span);
+    in_.error(
+        "E0202",
+        fmt::format("'{}' is no kind of block that can be a value{}", head, in_.suggestion(head)),
+        span);
     while (next() != Next::End) skip();
   }
   close();
   return value;
 }
 
-Value ReaderImpl::read_value() {
+Value ReaderImpl::read_value(bool walled) {
   Value value;
   switch (next()) {
   case Next::Numeric: {
     Numeric const n = evaluate_peeked();
     consume();
-    return finish_colour(n);
+    return finish_colour(n, walled);
   }
   case Next::String:
     value.any = string("a string");
@@ -81,10 +99,11 @@ Value ReaderImpl::read_value() {
     take();
     break;
   case Next::Block: {
-    ast::Block const& block = *peek_.block;
-    consume();
-    value = block_value(block);
-    comma_ = comma_behind(block.span);
+    std::string_view const head = peek_.word;
+    Span const span = peek_.span;
+    open_any();
+    value = opened_value(head, span);
+    comma_ = comma_behind(span);
     break;
   }
   case Next::Word:
@@ -100,45 +119,102 @@ Value ReaderImpl::read_value() {
   }
   // A layered texture is several blocks in a row, with no comma between.
   using LayersPtr = std::shared_ptr<scene::Layers const>;
-  while (std::holds_alternative<LayersPtr>(value.any) && next() == Next::Block
-         && peek_.block->head.text == "texture" && !comma_) {
-    ast::Block const& block = *peek_.block;
-    consume();
-    Value const layer = block_value(block);
+  while (std::holds_alternative<LayersPtr>(value.any) && goes_on(walled, Next::Block, "texture")
+         && !comma_) { // which goes_on() may find behind a macro's end
+    Span const span = next_span();
+    open_any();
+    Value const layer = opened_value("texture", span);
     auto layers = std::make_shared<scene::Layers>(*std::get<LayersPtr>(value.any));
     if (auto const* more = std::get_if<LayersPtr>(&layer.any))
       layers->insert(layers->end(), (*more)->begin(), (*more)->end());
     value.any = LayersPtr(std::move(layers));
-    comma_ = comma_behind(block.span);
+    comma_ = comma_behind(span);
   }
   return value;
 }
 
-Value ReaderImpl::value_of(ast::Items const& items, Span span) {
-  if (ast::Expr const* const only = Expressions::sole(items)) {
-    // The frequent kinds without a frame.
-    if (ast::get_if<ast::Number>(*only) || ast::get_if<ast::LiteralVector>(*only)
-        || ast::get_if<ast::Vector>(*only) || ast::get_if<ast::Unary>(*only)
-        || ast::get_if<ast::Member>(*only)) {
-      Value value;
-      Numeric n = in_.expressions.numeric(*only);
-      if (n.size == 5) n.colour = true;
-      value.any = n;
-      return value;
-    }
-    if (auto const* binary = ast::get_if<ast::Binary>(*only)) {
-      if (auto scaled = in_.expressions.spectral_product(*binary)) return *scaled;
-      Value value;
-      Numeric n = in_.expressions(*binary);
-      if (n.size == 5) n.colour = true;
-      value.any = n;
-      return value;
-    }
+/// The value of the frequent kinds, for which no frame is needed; nullopt for all others.
+std::optional<Value> ReaderImpl::simple_value(ast::Items const& items) {
+  ast::Expr const* const only = Expressions::sole(items);
+  if (only == nullptr) return std::nullopt;
+  Numeric n;
+  if (auto const* binary = ast::get_if<ast::Binary>(*only)) {
+    if (auto scaled = in_.expressions.spectral_product(*binary)) return scaled;
+    n = in_.expressions(*binary);
+  } else if (ast::get_if<ast::Number>(*only) || ast::get_if<ast::LiteralVector>(*only)
+             || ast::get_if<ast::Vector>(*only) || ast::get_if<ast::Unary>(*only)
+             || ast::get_if<ast::Member>(*only)) {
+    n = in_.expressions.numeric(*only);
+  } else {
+    return std::nullopt;
   }
+  if (n.size == 5) n.colour = true;
+  Value value;
+  value.any = n;
+  return value;
+}
+
+Value ReaderImpl::value_of(ast::Items const& items, Span span) {
+  if (auto simple = simple_value(items)) return std::move(*simple);
   enter_region(items, span);
   Value value = read_value();
   leave_region();
   return value;
+}
+
+Value ReaderImpl::declared_value(ast::Declare const& node) {
+  if (node.value.empty()) return read_value(false);
+  if (auto simple = simple_value(node.value)) return std::move(*simple);
+  enter_region(node.value, node.span, true);
+  Value value = read_value();
+  // What else a macro yields are the next statements.
+  if (!entered_.back().fallen && frames_.back().kind != Frame::Kind::Region
+      && upcoming() != nullptr)
+    fall();
+  leave_region();
+  return value;
+}
+
+/// What the name of the target stands for before the value is read: that may go on behind the end
+/// of the macro which the directive stands in, or end inside one that it calls.
+ReaderImpl::Target ReaderImpl::target_of(ast::Declare const& node) {
+  Target target{in_.scope.depth(), nullptr};
+  auto const* name = ast::get_if<ast::Name>(node.target);
+  if (name != nullptr && !node.local) target.cell = in_.scope.cell(in_.scope.symbol(*name));
+  return target;
+}
+
+void ReaderImpl::execute(ast::Declare const& there) {
+  // Of a large source, the tree of the directive may be gone when the value that follows is read.
+  std::optional<ast::Declare> copy;
+  if (there.value.empty()) copy = there;
+  ast::Declare const& node = copy ? *copy : there;
+  bool semicolon = node.has_semicolon;
+  Target const target = target_of(node);
+  Value value;
+  {
+    Deferral deferral(in_);
+    value = declared_value(node);
+    value.deferred = deferral.take();
+  }
+  auto const* const number = std::get_if<Numeric>(&value.any);
+  bool const needs_semicolon = number != nullptr && !number->poisoned();
+  assign(node, target, std::move(value));
+  // The ';' may come next, in another text, or once more.
+  ast::Item const* const item = upcoming();
+  auto const* const mark = item != nullptr ? ast::get_if<ast::Punctuation>(*item) : nullptr;
+  if (mark != nullptr && mark->symbol == ';') {
+    next();
+    consume();
+    semicolon = true;
+  }
+  if (!needs_semicolon || semicolon) return;
+  Span const place{node.span.source, node.span.end, node.span.end};
+  constexpr std::string_view text = "a ';' is missing after this declaration of a number";
+  if (in_.version < 3.5)
+    in_.warning(std::string(text), place);
+  else
+    in_.error("E0105", std::string(text), place);
 }
 
 Value ReaderImpl::macro_value(ast::Call const& call, MacroValue const& macro) {
@@ -156,39 +232,84 @@ Value ReaderImpl::macro_value(ast::Call const& call, MacroValue const& macro) {
   return value;
 }
 
+/// The cell of a name or of an element of an array, which a parameter shares; else null.
+Scope::Cell ReaderImpl::shared_cell(ast::Expr const& expr) {
+  Scope::Cell cell;
+  if (auto const* name = ast::get_if<ast::Name>(expr); name && !name->reserved) {
+    cell = in_.scope.cell(in_.scope.symbol(*name));
+    bool const there = cell && !cell->empty();
+    if (there && std::holds_alternative<std::shared_ptr<FunctionValue>>(cell->any))
+      return std::make_shared<Value>(*cell);
+    if (there) return cell;
+    in_.expressions.undeclared(*name);
+    cell = nullptr;
+  } else if (auto const* index = ast::get_if<ast::Index>(expr)) {
+    cell = in_.expressions.element_cell(*index);
+  } else {
+    return nullptr;
+  }
+  if (!cell) {
+    cell = std::make_shared<Value>();
+    cell->any = poison();
+  }
+  return cell;
+}
+
 /// By reference when it is one name or one element of an array, else by value.
 Scope::Cell ReaderImpl::argument(ast::Items const& items, Span span) {
-  if (ast::Expr const* const only = Expressions::sole(items)) {
-    if (auto const* name = ast::get_if<ast::Name>(*only); name && !name->reserved) {
-      auto cell = in_.scope.cell(in_.scope.symbol(*name));
-      bool const there = cell && !cell->empty();
-      if (there && std::holds_alternative<std::shared_ptr<FunctionValue>>(cell->any))
-        return std::make_shared<Value>(*cell);
-      if (there) return cell;
-      in_.expressions.undeclared(*name);
-      cell = std::make_shared<Value>();
-      cell->any = poison();
-      return cell;
-    }
-    if (auto const* index = ast::get_if<ast::Index>(*only)) {
-      auto cell = in_.expressions.element_cell(*index);
-      if (!cell) {
-        cell = std::make_shared<Value>();
-        cell->any = poison();
-      }
-      return cell;
-    }
-  }
+  if (ast::Expr const* const only = Expressions::sole(items))
+    if (auto cell = shared_cell(*only)) return cell;
   Deferral deferral(in_);
   auto const cell = std::make_shared<Value>(value_of(items, span));
   cell->deferred = deferral.take();
   return cell;
 }
 
+/// The arguments as they follow one another: commas between them are optional.
+/// @return how many there are; nullopt when one is wrong (reported)
+std::optional<std::size_t> ReaderImpl::arguments_in_a_row(ast::Call const& call,
+                                                          std::vector<Scope::Cell>& cells) {
+  static ast::Items const nothing;
+  enter_region(nothing, call.span);
+  for (auto items = call.arguments.rbegin(); items != call.arguments.rend(); ++items) {
+    Frame frame;
+    frame.items = &*items;
+    push(std::move(frame));
+  }
+  std::size_t count = 0;
+  bool good = true;
+  while (good && !at_end()) {
+    bool const whole = (peek_.next == Next::Numeric || peek_.next == Next::String
+                        || peek_.next == Next::Identifier)
+                       && peek_.expr != nullptr && !peek_.rest && !peek_.split;
+    Scope::Cell cell = whole ? shared_cell(*peek_.expr) : nullptr;
+    if (cell) {
+      consume();
+    } else {
+      Deferral deferral(in_);
+      cell = std::make_shared<Value>(read_value());
+      cell->deferred = deferral.take();
+    }
+    good = !cell->empty();
+    if (count < cells.size()) cells[count] = std::move(cell);
+    ++count;
+  }
+  while (!at_end()) skip();
+  leave_region();
+  return good ? std::optional(count) : std::nullopt;
+}
+
 void ReaderImpl::push_macro(ast::Call const& call, MacroValue const& value) {
   ast::Macro const& macro = *value.tree;
   bool const none = call.arguments.size() == 1 && call.arguments.front().empty();
-  std::size_t const given = none ? 0 : call.arguments.size();
+  std::size_t given = none ? 0 : call.arguments.size();
+  std::vector<Scope::Cell> cells(macro.parameters.size());
+  bool const in_a_row = given != 0 && given != cells.size();
+  if (in_a_row) {
+    auto const count = arguments_in_a_row(call, cells);
+    if (!count) return;
+    given = *count;
+  }
   if (given != macro.parameters.size()) {
     in_.report(Severity::Error, "E0308",
                fmt::format("macro '{}' takes {} argument{}, not {}", macro.name.text,
@@ -203,8 +324,8 @@ void ReaderImpl::push_macro(ast::Call const& call, MacroValue const& value) {
               call.span);
     in_.abort();
   }
-  std::vector<Scope::Cell> cells(given);
-  for (std::size_t i = 0; i < given; ++i) cells[i] = argument(call.arguments[i], call.span);
+  for (std::size_t i = 0; i < given && !in_a_row; ++i)
+    cells[i] = argument(call.arguments[i], call.span);
   in_.check_limits(call.span);
   in_.scope.enter();
   ++macros_;
@@ -218,7 +339,7 @@ void ReaderImpl::push_macro(ast::Call const& call, MacroValue const& value) {
   push(std::move(frame));
 }
 
-void ReaderImpl::assign(ast::Declare const& declare, Value&& value) {
+void ReaderImpl::assign(ast::Declare const& declare, Target const& target, Value&& value) {
   if (value.empty()) value.any = poison();
   value.declared_at = declare.span;
   if (auto const* index = ast::get_if<ast::Index>(declare.target)) {
@@ -242,7 +363,11 @@ void ReaderImpl::assign(ast::Declare const& declare, Value&& value) {
     return;
   }
   Symbol const symbol = in_.scope.symbol(*name);
-  Value& slot = declare.local ? in_.scope.declare_local(symbol) : in_.scope.declare(symbol);
+  bool const moved = target.cell != nullptr && in_.scope.depth() != target.depth;
+  Value& slot = declare.local
+                    ? in_.scope.declare_local(symbol, std::min(target.depth, in_.scope.depth()))
+                : moved ? *target.cell
+                        : in_.scope.declare(symbol);
   if (std::holds_alternative<std::shared_ptr<FunctionValue>>(slot.any)) {
     in_.report(Severity::Error, "E0205",
                fmt::format("function '{0}' is declared already: '#undef {0}' first", name->text),

@@ -101,6 +101,77 @@ void ReaderImpl::classify_call(ast::Call const& call, Span span) {
   peek_.split = &call;
 }
 
+namespace {
+
+/// The first operand of a chain of operators, if it is a name or a string and a sign follows it.
+ast::Expr const* before_sign(ast::Binary const& node) {
+  if (auto const* const inner = ast::get_if<ast::Binary>(node.left)) return before_sign(*inner);
+  if (node.op != ast::BinaryOp::Add && node.op != ast::BinaryOp::Sub) return nullptr;
+  auto const* const name = ast::get_if<ast::Name>(node.left);
+  auto const* const call = ast::get_if<ast::Call>(node.left);
+  bool const may = (name != nullptr && !name->reserved) || ast::get_if<ast::String>(node.left)
+                   || (call != nullptr && !call->callee.reserved);
+  return may ? &node.left : nullptr;
+}
+
+/// Does the macro yield a block, as far as its body tells?
+bool yields_block(MacroValue const& macro) {
+  ast::Items const& body = macro.tree->body;
+  return !body.empty() && ast::get_if<ast::Block>(body.back()) != nullptr;
+}
+
+/// The chain without that operand: the sign belongs to what follows it.
+ast::Expr without_first(ast::Binary const& node) {
+  auto const* const inner = ast::get_if<ast::Binary>(node.left);
+  ast::Binary rest = node;
+  if (inner != nullptr) {
+    rest.left = without_first(*inner);
+    return ast::Expr(std::move(rest));
+  }
+  auto const op = node.op == ast::BinaryOp::Sub ? ast::UnaryOp::Minus : ast::UnaryOp::Plus;
+  return ast::Expr(ast::Unary{ast::span_of(node.right), op, node.right});
+}
+
+} // namespace
+
+/// `Object -y`, `"text" -1`, where what stands before the sign is no number: two items written
+/// without a comma.
+/// @return false when it is one value
+bool ReaderImpl::classify_sum(ast::Expr const& expr, ast::Binary const& sum) {
+  ast::Expr const* const first = before_sign(sum);
+  if (first == nullptr) return false;
+  if (auto const* const name = ast::get_if<ast::Name>(*first)) {
+    Value const* const value = in_.scope.find(in_.scope.symbol(*name));
+    bool const number =
+        value == nullptr || value->empty() || std::holds_alternative<Numeric>(value->any)
+        || std::holds_alternative<MacroValue>(value->any)
+        || std::holds_alternative<scene::Colour>(value->any)
+        || std::holds_alternative<std::shared_ptr<optics::Spectrum const>>(value->any);
+    if (number) return false;
+  }
+  if (auto const* const call = ast::get_if<ast::Call>(*first)) {
+    Value const* const value = in_.scope.find(in_.scope.symbol(call->callee));
+    auto const* const macro = value ? std::get_if<MacroValue>(&value->any) : nullptr;
+    if (macro == nullptr || !yields_block(*macro)) return false;
+    if (frames_.back().part == 0) {
+      frames_.back().part = 1;
+      in_.expressions.use_deprecated(call->callee);
+      push_macro(*call, *macro);
+      return true;
+    }
+  }
+  if (frames_.back().part == 0) {
+    classify(*first);
+    peek_.rest = &expr;
+    return true;
+  }
+  ast::Expr const& rest = rests_[&sum] = without_first(sum);
+  set(Next::Numeric, ast::span_of(rest));
+  peek_.expr = &rest;
+  peek_.rest = &expr;
+  return true;
+}
+
 void ReaderImpl::classify(ast::Expr const& expr) {
   peek_.expr = &expr;
   if (boost::relaxed_get<ast::LiteralVector>(&expr.get())
@@ -113,6 +184,7 @@ void ReaderImpl::classify(ast::Expr const& expr) {
   if (auto const* block = ast::get_if<ast::Block>(expr)) {
     set(Next::Block, span);
     peek_.block = block;
+    peek_.word = block->head.text;
     return;
   }
   if (ast::get_if<ast::String>(expr)) return set(Next::String, span);
@@ -128,6 +200,7 @@ void ReaderImpl::classify(ast::Expr const& expr) {
     return classify_owned(std::move(value), span);
   }
   if (auto const* binary = ast::get_if<ast::Binary>(expr)) {
+    if (classify_sum(expr, *binary)) return;
     if (auto scaled = in_.expressions.spectral_product(*binary)) {
       peek_.expr = &expr;
       return classify_owned(std::move(*scaled), span);

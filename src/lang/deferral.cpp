@@ -24,6 +24,7 @@ void Deferral::keep(Diagnostic diagnostic) {
 
 void Interpreter::report(Severity severity, std::string_view code, std::string message, Span span,
                          std::vector<Diagnostic::Note> notes) {
+  wrong_since_asked_ |= severity == Severity::Error && !code.starts_with("E09");
   auto chain = reader.chain();
   notes.insert(notes.end(), std::make_move_iterator(chain.begin()),
                std::make_move_iterator(chain.end()));

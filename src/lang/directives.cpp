@@ -9,6 +9,8 @@ namespace abbe::lang {
 namespace {
 
 constexpr double eps = 1e-10; ///< POV-Ray's, in comparisons
+/// An error may leave a variable unset that a #while waits for.
+constexpr int max_rounds_with_errors = 100000;
 
 bool for_is_over(double counter, double last, double step) {
   return step > 0 ? counter > last + eps : counter < last - eps;
@@ -37,7 +39,7 @@ bool ReaderImpl::is_defined(ast::Expr const& expr) {
 void ReaderImpl::execute(ast::If const& node) {
   using Test = ast::If::Branch::Test;
   for (auto const& branch : node.branches) {
-    bool taken = true;
+    std::optional<bool> taken = true;
     switch (branch.test) {
     case Test::If:
       taken = in_.expressions.condition(branch.condition);
@@ -51,7 +53,8 @@ void ReaderImpl::execute(ast::If const& node) {
     case Test::Else:
       break;
     }
-    if (!taken) continue;
+    if (!taken) return leave_loop();
+    if (!*taken) continue;
     Frame frame;
     frame.items = &branch.items;
     if (node.open_blocks > 0) frame.tail = &node.tail;
@@ -62,7 +65,7 @@ void ReaderImpl::execute(ast::If const& node) {
 
 void ReaderImpl::execute(ast::While const& node) {
   in_.check_limits(node.span);
-  if (!in_.expressions.condition(node.condition)) return;
+  if (!in_.expressions.condition(node.condition).value_or(false)) return;
   Frame frame;
   frame.items = &node.items;
   frame.kind = Frame::Kind::While;
@@ -74,10 +77,12 @@ void ReaderImpl::execute(ast::While const& node) {
 void ReaderImpl::execute(ast::For const& node) {
   in_.check_limits(node.span);
   if (node.arguments.size() < 2) return;
-  double const first = in_.expressions.scalar(node.arguments[0], "the first value of #for");
-  double const last = in_.expressions.scalar(node.arguments[1], "the last value of #for");
-  double const step =
-      node.arguments.size() > 2 ? in_.expressions.scalar(node.arguments[2], "the step of #for") : 1;
+  auto const from = in_.expressions.number(node.arguments[0], "the first value of #for");
+  auto const to = in_.expressions.number(node.arguments[1], "the last value of #for");
+  std::optional<double> by = 1;
+  if (node.arguments.size() > 2) by = in_.expressions.number(node.arguments[2], "the step of #for");
+  if (!from || !to || !by) return leave_loop();
+  double const first = *from, last = *to, step = *by;
   if (step == 0) {
     in_.error("E0320", "the step of #for is zero", ast::span_of(node.arguments.back()));
     return;
@@ -101,19 +106,24 @@ void ReaderImpl::execute(ast::For const& node) {
   push(std::move(frame));
 }
 
-bool ReaderImpl::enter_clause(ast::Switch const& node, std::size_t from, bool falling) {
-  double const value = falling ? 0 : in_.expressions.scalar(node.value, "the value of #switch");
-  for (std::size_t i = from; i < node.clauses.size(); ++i) {
+void ReaderImpl::execute(ast::Switch const& node) {
+  auto const value = in_.expressions.number(node.value, "the value of #switch");
+  if (!value) return leave_loop();
+  Frame before;
+  before.items = &node.before;
+  for (std::size_t i = 0; i < node.clauses.size(); ++i) {
     auto const& clause = node.clauses[i];
     using Kind = ast::Switch::Clause::Kind;
-    bool taken = falling || clause.kind == Kind::Else;
-    if (!taken && clause.kind == Kind::Case)
-      taken =
-          std::abs(in_.expressions.scalar(clause.bounds.at(0), "the value of #case") - value) < eps;
-    if (!taken && clause.kind == Kind::Range) {
-      double const low = in_.expressions.scalar(clause.bounds.at(0), "the lower bound of #range");
-      double const high = in_.expressions.scalar(clause.bounds.at(1), "the upper bound of #range");
-      taken = value >= low - eps && value <= high + eps;
+    bool taken = clause.kind == Kind::Else;
+    if (clause.kind == Kind::Case) {
+      auto const wanted = in_.expressions.number(clause.bounds.at(0), "the value of #case");
+      if (!wanted) return leave_loop();
+      taken = std::abs(*wanted - *value) < eps;
+    } else if (clause.kind == Kind::Range) {
+      auto const low = in_.expressions.number(clause.bounds.at(0), "the lower bound of #range");
+      auto const high = in_.expressions.number(clause.bounds.at(1), "the upper bound of #range");
+      if (!low || !high) return leave_loop();
+      taken = *value >= *low - eps && *value <= *high + eps;
     }
     if (!taken) continue;
     Frame frame;
@@ -123,13 +133,9 @@ bool ReaderImpl::enter_clause(ast::Switch const& node, std::size_t from, bool fa
     frame.clause = i;
     frame.span = node.span;
     push(std::move(frame));
-    return true;
+    break;
   }
-  return false;
-}
-
-void ReaderImpl::execute(ast::Switch const& node) {
-  enter_clause(node, 0, false);
+  if (!node.before.empty()) push(std::move(before));
 }
 
 /// At the end of a loop's body: is there another round? Then the frame stands at its start again.
@@ -149,7 +155,12 @@ bool ReaderImpl::next_round(Frame const& ended) {
   bool more = false;
   if (ended.kind == Frame::Kind::While) {
     auto const& node = *static_cast<ast::While const*>(ended.loop);
-    more = in_.expressions.condition(node.condition);
+    more = in_.expressions.condition(node.condition).value_or(false);
+    if (in_.wrong_since_asked() && more && ++rounds_with_errors_ > max_rounds_with_errors) {
+      in_.error("E0701", "this #while goes round and round with errors: the rest is not looked at",
+                ended.span);
+      in_.abort();
+    }
   } else {
     Value* const counter = in_.scope.find(ended.counter);
     auto* const number = counter ? std::get_if<Numeric>(&counter->any) : nullptr;
@@ -166,34 +177,28 @@ bool ReaderImpl::next_round(Frame const& ended) {
   return more;
 }
 
+/// After an error in a condition: the loop around it, which may wait for what the condition
+/// decides, ends.
+void ReaderImpl::leave_loop() {
+  for (std::size_t i = frames_.size(); i-- > 0 && !frames_[i].wall();) {
+    if (frames_[i].kind != Frame::Kind::While && frames_[i].kind != Frame::Kind::For) continue;
+    while (frames_.size() > i) pop();
+    return;
+  }
+}
+
 void ReaderImpl::break_out(Span span) {
   for (std::size_t i = frames_.size(); i-- > 0;) {
     Frame const& frame = frames_[i];
     if (frame.wall() || frame.kind == Frame::Kind::Include) break;
-    if (frame.kind == Frame::Kind::Splice) continue;
+    if (frame.kind == Frame::Kind::Splice || frame.kind == Frame::Kind::Brace) continue;
     while (frames_.size() > i) pop();
     return;
   }
   in_.error("E0207", "#break stands in no loop, no #switch and no macro", span);
 }
 
-void ReaderImpl::execute(ast::Declare const& node) {
-  Deferral deferral(in_);
-  Value value = value_of(node.value, node.span);
-  value.deferred = deferral.take();
-  bool const needs_semicolon = std::holds_alternative<Numeric>(value.any);
-  if (needs_semicolon && !node.has_semicolon && !std::get<Numeric>(value.any).poisoned())
-    in_.error("E0105", "a ';' is missing after this declaration of a number",
-              {node.span.source, node.span.end, node.span.end});
-  assign(node, std::move(value));
-}
-
 void ReaderImpl::execute(ast::Macro const& node) {
-  for (std::size_t i = frames_.size(); i-- > 0 && frames_[i].kind != Frame::Kind::Include;)
-    if (frames_[i].kind == Frame::Kind::Macro) {
-      in_.error("E0208", "a macro cannot be defined inside a macro", node.name.span);
-      return;
-    }
   if (node.name.reserved) {
     in_.error("E0204", fmt::format("'{}' is a reserved word", node.name.text), node.name.span);
     return;

@@ -30,6 +30,8 @@ struct EvaluateOptions {
   /// Texts of #debug, #render and #statistics as they come; out of a source above `whole_text`,
   /// once its last statement is parsed. (Warnings and errors are diagnostics.)
   std::function<void(std::string_view)> on_message;
+  /// The diagnostics as they come, in the same order; of a source above `whole_text` likewise.
+  std::function<void(Diagnostic const&)> on_diagnostic;
   /// Sources of up to so many bytes are parsed before their first statement is evaluated; of larger
   /// ones `text_piece` bytes at a time, so that not the whole tree is in memory. No difference but
   /// that.

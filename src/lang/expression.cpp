@@ -30,14 +30,21 @@ Numeric Expressions::numeric(ast::Expr const& expr) {
 }
 
 double Expressions::scalar(ast::Expr const& expr, std::string_view what) {
-  Numeric const n = numeric(expr);
-  if (n.size > 1)
-    in_.error("E0302", fmt::format("{} must be a float, not a vector", what), ast::span_of(expr));
-  return n.size == 1 ? n.c[0] : 0;
+  return number(expr, what).value_or(0);
 }
 
-bool Expressions::condition(ast::Expr const& expr) {
-  return std::abs(scalar(expr, "a condition")) > 1e-10;
+std::optional<double> Expressions::number(ast::Expr const& expr, std::string_view what) {
+  Numeric const n = numeric(expr);
+  if (n.size == 1) return n.c[0];
+  if (n.size > 1)
+    in_.error("E0302", fmt::format("{} must be a float, not a vector", what), ast::span_of(expr));
+  return std::nullopt;
+}
+
+std::optional<bool> Expressions::condition(ast::Expr const& expr) {
+  auto const value = number(expr, "a condition");
+  if (!value) return std::nullopt;
+  return std::abs(*value) > 1e-10;
 }
 
 std::string Expressions::string(ast::Expr const& expr, std::string_view what) {
@@ -226,11 +233,11 @@ Numeric Expressions::operator()(ast::Binary const& node) {
 }
 
 Numeric Expressions::operator()(ast::Conditional const& node) {
-  bool const chosen = condition(node.condition);
+  std::optional<bool> const chosen = condition(node.condition);
   Numeric const yes = numeric(node.yes);
   Numeric const no = numeric(node.no);
-  if (yes.poisoned() || no.poisoned()) return poison();
-  return chosen ? yes : no;
+  if (!chosen || yes.poisoned() || no.poisoned()) return poison();
+  return *chosen ? yes : no;
 }
 
 Numeric Expressions::operator()(ast::Member const& node) {
@@ -256,8 +263,13 @@ Numeric Expressions::operator()(ast::Index const& node) {
 }
 
 Numeric Expressions::operator()(ast::Paren const& node) {
-  if (ast::Expr const* const only = sole(node.items)) return numeric(*only);
-  return to_numeric(in_.reader.value_of(node.items, node.span), node.span);
+  bool const outside = in_.reader.set_in_parentheses(true);
+  ast::Expr const* const only = sole(node.items);
+  Numeric const n = only != nullptr
+                        ? numeric(*only)
+                        : to_numeric(in_.reader.value_of(node.items, node.span), node.span);
+  in_.reader.set_in_parentheses(outside);
+  return n;
 }
 
 Numeric Expressions::operator()(ast::Array const& node) {

@@ -22,11 +22,13 @@ public:
 
   /// A float, vector or colour. Anything else is an error.
   Numeric numeric(ast::Expr const&);
-  /// The first component of a value that must be a float; 0 when it is not (reported). `what` ("a
-  /// subscript") is for messages.
+  /// A value that must be a float; nullopt when it is not (reported). `what` ("a subscript") is for
+  /// messages.
+  std::optional<double> number(ast::Expr const&, std::string_view what);
+  /// The same with 0 for a wrong value.
   double scalar(ast::Expr const&, std::string_view what);
-  /// `#if`, `#while`: |value| > 1e-10.
-  bool condition(ast::Expr const&);
+  /// `#if`, `#while`: |value| > 1e-10. nullopt when the expression is wrong (reported).
+  std::optional<bool> condition(ast::Expr const&);
   std::string string(ast::Expr const&, std::string_view what);
   /// Anything that can be declared.
   Value value(ast::Expr const&);

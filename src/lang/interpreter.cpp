@@ -46,6 +46,7 @@ void Interpreter::add(Diagnostic diagnostic) {
                                       span.begin, span.end, diagnostic.message);
   if (!said_.insert(key).second) return;
   diagnostics_.push_back(std::move(diagnostic));
+  tell(diagnostics_.back());
   if (diagnostics_.back().severity != Severity::Error) return;
   if (++errors_ < options_.max_errors) return;
   diagnostics_.push_back({"E0701",
@@ -53,8 +54,17 @@ void Interpreter::add(Diagnostic diagnostic) {
                           {},
                           fmt::format("{} errors: the rest is not looked at", errors_),
                           {}});
+  tell(diagnostics_.back());
   ++errors_;
   abort();
+}
+
+void Interpreter::tell(Diagnostic const& diagnostic) {
+  if (!options_.on_diagnostic) return;
+  if (streams.none())
+    options_.on_diagnostic(diagnostic);
+  else
+    messages_.emplace_back(diagnostic);
 }
 
 void Interpreter::say(std::string_view text) {
@@ -62,7 +72,7 @@ void Interpreter::say(std::string_view text) {
   if (streams.none())
     options_.on_message(text);
   else
-    messages_.emplace_back(text);
+    messages_.emplace_back(std::string(text));
 }
 
 Mark Interpreter::mark() const {
@@ -78,7 +88,11 @@ void Interpreter::roll_back(Mark const& mark) {
 }
 
 void Interpreter::release_messages() {
-  for (auto const& text : messages_) options_.on_message(text);
+  for (auto const& message : messages_)
+    if (auto const* text = std::get_if<std::string>(&message))
+      options_.on_message(*text);
+    else
+      options_.on_diagnostic(std::get<Diagnostic>(message));
   messages_.clear();
 }
 

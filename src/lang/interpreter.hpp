@@ -18,6 +18,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <variant>
 #include <vector>
 
 namespace abbe::lang {
@@ -86,6 +87,9 @@ public:
 
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
   int error_count() const { return errors_; }
+  /// Was there an error since the last call, be it one that was reported before? What is not
+  /// supported yet does not count: it leaves no variable unset.
+  bool wrong_since_asked() { return std::exchange(wrong_since_asked_, false); }
 
   /// What may be meant by an unknown name: `; colors.inc declares it: #include "colors.inc"`, or ";
   /// did you mean 'Radius'?" out of `nearer`, else out of the declared names and the heads of
@@ -94,6 +98,7 @@ public:
                          std::vector<std::string_view> const& nearer = {}) const;
 
 private:
+  void tell(Diagnostic const&);
   void run_statements(SourceFile const& source);
   void keep_or_add(Diagnostic);
 
@@ -101,11 +106,13 @@ private:
   SourceSet& sources_;
   std::unordered_map<SourceFile const*, std::unique_ptr<ast::Document>> documents_;
   std::vector<Diagnostic> diagnostics_;
-  std::vector<std::string> messages_; ///< of #debug, while a stream is read
+  /// Texts of #debug and diagnostics that wait while a stream is read.
+  std::vector<std::variant<std::string, Diagnostic>> messages_;
   std::unordered_set<std::string> said_;
   int errors_ = 0;
   std::uintptr_t stack_limit_ = 0; ///< the lowest address that may be used
   Span place_;                     ///< of the latest loop, nesting or statement: for out of memory
+  bool wrong_since_asked_ = false;
 };
 
 } // namespace abbe::lang

@@ -2,9 +2,9 @@
 // The reader's stack: what comes next, blocks opened and closed, the chain of calls.
 #include "lang/interpreter.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
+#include <utility>
 
 namespace abbe::lang {
 namespace {
@@ -41,19 +41,30 @@ struct ItemVisitor {
     done = true;
   }
   void operator()(ast::Punctuation const& mark) {
-    bool const closes = mark.symbol == '}' && reader.in_open_block();
-    reader.set(closes ? Next::End : Next::Punctuation, mark.span);
+    if (mark.symbol == '}')
+      reader.meet_brace(mark.span);
+    else
+      reader.set(Next::Punctuation, mark.span);
     reader.peek_.symbol = mark.symbol;
     done = true;
+  }
+  void operator()(ast::Text const& text) {
+    ++reader.frames_.back().position;
+    static ast::Items const nothing;
+    ReaderImpl::Frame frame;
+    frame.items = &nothing;
+    frame.text = text.span;
+    reader.push(std::move(frame));
   }
   template <class Directive>
   void operator()(Directive const& directive) {
     ++reader.frames_.back().position;
     reader.execute(directive);
+    done = reader.peek_.ready;
   }
 };
 
-void ReaderImpl::settle() {
+void ReaderImpl::settle_item() {
   ItemVisitor visitor{*this};
   while (!visitor.done) {
     Frame const& frame = frames_.back();
@@ -71,7 +82,22 @@ bool ReaderImpl::end_of_frame() {
     frame.position = 0;
     return false;
   }
+  if (frame.text.begin < frame.text.end && next_of_text(frame)) return false;
+  if (frame.tail != nullptr) { // of a block that was not opened as the last item of its branch
+    frame.items = std::exchange(frame.tail, nullptr);
+    frame.position = 0;
+    frame.kind = Frame::Kind::Brace;
+    return false;
+  }
+  if (frame.kind == Frame::Kind::Brace) {
+    meet_brace(end_of(frame.span));
+    return true;
+  }
   if (frame.wall()) {
+    if (frame.falls && in_open_block()) {
+      fall();
+      return false;
+    }
     set(Next::End, end_of(frame.span));
     return true;
   }
@@ -108,8 +134,10 @@ void ReaderImpl::set(Next next, Span span) {
   peek_.next = next;
   peek_.span = span;
   peek_.undeclared = false;
+  peek_.brace = false;
   peek_.value = nullptr;
   peek_.split = nullptr;
+  peek_.rest = nullptr;
 }
 
 void ReaderImpl::consume() {
@@ -121,8 +149,13 @@ void ReaderImpl::consume() {
       frame.part = 0;
       ++frame.position;
     }
-  } else {
+  } else if (peek_.rest) {
+    frame.part ^= 1;
+    frame.position += frame.part == 0;
+  } else if (frame.position < frame.items->size()) {
     advance(frame);
+  } else { // a '}' that nothing is open for
+    pop();
   }
   peek_.ready = false;
   asked_.clear();
@@ -136,19 +169,28 @@ void ReaderImpl::advance(Frame& frame) {
   ++frame.position;
 }
 
-void ReaderImpl::enter_region(ast::Items const& items, Span span) {
+void ReaderImpl::enter_region(ast::Items const& items, Span span, bool falls) {
   in_.check_limits(span);
   Frame frame;
   frame.items = &items;
   frame.kind = Frame::Kind::Region;
   frame.span = span;
+  frame.falls = falls;
   push(std::move(frame));
+  frames_.back().full = in_parentheses_;
+  entered_.push_back({false, std::exchange(in_parentheses_, false)});
 }
 
-void ReaderImpl::leave_region() {
-  if (next() != Next::End) unexpected("one value");
-  while (!frames_.back().wall()) pop();
-  pop();
+bool ReaderImpl::leave_region() {
+  if (!entered_.back().fallen) {
+    if (next() != Next::End) unexpected("one value");
+    while (!frames_.back().wall()) pop();
+    pop();
+  }
+  Entered const left = entered_.back();
+  entered_.pop_back();
+  in_parentheses_ = left.full;
+  return !left.fallen;
 }
 
 void ReaderImpl::open_block(ast::Items const& items, Span span, std::string_view head) {
@@ -165,37 +207,39 @@ void ReaderImpl::open_block(ast::Items const& items, Span span, std::string_view
 bool ReaderImpl::open_any() {
   if (next() != Next::Block) return false;
   ast::Block const& block = *peek_.block;
+  std::string_view const head = peek_.word;
+  Span const span = peek_.span;
   Frame const& frame = frames_.back();
   ast::Items const* tail = frame.position + 1 == frame.items->size() ? frame.tail : nullptr;
   if (tail) frames_.back().tail = nullptr;
   consume();
   if (!tail && block.open) {
-    open_blocks_.push_back({frames_.size(), block.span, block.head.text});
+    open_blocks_.push_back({frames_.size(), span, head});
     Frame content;
     content.items = &block.items;
     push(std::move(content));
     return true;
   }
   if (!tail) {
-    open_block(block.items, block.span, block.head.text);
+    open_block(block.items, span, head);
     return true;
   }
   // The block goes on with what follows #end: that lies beneath, so it is read afterwards.
-  open_block(*tail, block.span, block.head.text);
-  Frame head;
-  head.items = &block.items;
-  push(std::move(head));
+  open_block(*tail, span, head);
+  Frame begin;
+  begin.items = &block.items;
+  push(std::move(begin));
   return true;
 }
 
 bool ReaderImpl::open(std::string_view word) {
-  if (next() == Next::Block && peek_.block->head.text == word) return open_any();
+  if (next() == Next::Block && peek_.word == word) return open_any();
   ask(word);
   return false;
 }
 
 ast::Items const* ReaderImpl::take_row() {
-  if (next() != Next::Block || !peek_.block->head.text.empty()) return nullptr;
+  if (next() != Next::Block || !peek_.word.empty() || peek_.block->open) return nullptr;
   ast::Items const* const items = &peek_.block->items;
   consume();
   return items;
@@ -229,14 +273,8 @@ void ReaderImpl::close() {
     while (next() != Next::End) skip();
   }
   asked_.clear();
-  if (in_open_block()) {
-    // At its '}', unless the surrounding block ended first: the grammar has reported that.
-    Frame& frame = frames_.back();
-    if (frame.position < frame.items->size()) ++frame.position;
-    peek_.ready = false;
-    open_blocks_.pop_back();
-    return;
-  }
+  if (peek_.brace) return close_at_brace();
+  if (in_open_block()) return close_at_wall();
   while (!frames_.back().wall()) pop();
   pop();
 }
@@ -258,6 +296,12 @@ ReaderImpl::Frame* ReaderImpl::this_block() {
   for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
     if (frame->kind == Frame::Kind::Block) return &*frame;
   return nullptr;
+}
+
+bool* ReaderImpl::block_taint() {
+  if (in_open_block()) return &open_blocks_.back().tainted;
+  Frame* const block = this_block();
+  return block != nullptr ? &block->tainted : nullptr;
 }
 
 ReaderImpl::Frame const& ReaderImpl::innermost_block() const {

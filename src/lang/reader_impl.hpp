@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grammar/parse.hpp"
 #include "lang/reader.hpp"
 #include "lang/scope.hpp"
 #include "lang/statement_streams.hpp"
@@ -8,6 +9,9 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace abbe::lang {
@@ -16,7 +20,9 @@ namespace abbe::lang {
 /// what to do at its end (go round a loop, leave a macro's table of names ...). Directives push and
 /// pop frames, so that what a macro, a loop or an included file yields is simply what comes next.
 ///
-/// A Region or Block frame is a wall: what reads above it sees End there.
+/// A Region or Block frame is a wall: what reads above it sees End there. To the language there are
+/// no trees, only text: a macro may open a block that what follows its call closes, or close one
+/// that was opened before it. Then walls fall, so that what is read is what the text says.
 class ReaderImpl final : public Reader {
 public:
   explicit ReaderImpl(Interpreter& interpreter) : in_(interpreter) {}
@@ -64,15 +70,20 @@ public:
 
   // For the interpreter and its expressions.
 
-  /// Reads `items` behind a wall until leave_region(), which reports what is left unread.
-  void enter_region(ast::Items const& items, Span);
+  /// Reads `items` behind a wall until leave_region(), which reports what is left unread. Where
+  /// `falls`, the wall gives way to a block that is not closed at the end of the items.
+  void enter_region(ast::Items const& items, Span, bool falls = false);
   /// The innermost list goes on with the next pieces of the stream, if there is one.
   void read_from(StatementStream* stream) { frames_.back().stream = stream; }
   /// Is a block being read that an #if left open?
   bool in_loose_block() const { return !open_blocks_.empty(); }
-  void leave_region();
-  /// What may stand behind `=` or as a macro's argument; empty (reported) when there is none.
-  Value read_value();
+  /// @return false when the wall has fallen: what comes next stands behind the items
+  bool leave_region();
+  /// To be told before and after the content of parentheses is evaluated. @return what was before
+  bool set_in_parentheses(bool yes) { return std::exchange(in_parentheses_, yes); }
+  /// What may stand behind `=` or as a macro's argument; empty (reported) when there is none. Where
+  /// no wall ends it, directives behind it are not carried out to see whether it goes on.
+  Value read_value(bool walled = true);
   /// The value of the only thing in the items.
   Value value_of(ast::Items const& items, Span);
   /// The content of `{ ... }` without a head, taken; nullptr when something else is next.
@@ -92,7 +103,18 @@ public:
 
 private:
   struct Frame {
-    enum class Kind : std::uint8_t { Region, Block, Splice, While, For, Switch, Macro, Include };
+    /// At the end of a Brace a '}' stands that closes what is open then.
+    enum class Kind : std::uint8_t {
+      Region,
+      Block,
+      Splice,
+      Brace,
+      While,
+      For,
+      Switch,
+      Macro,
+      Include
+    };
     ast::Items const* items = nullptr;
     std::size_t position = 0;
     Kind kind = Kind::Splice;
@@ -105,6 +127,10 @@ private:
     double last = 0, step = 1;
     std::size_t clause = 0;
     bool tainted = false; ///< of a Block: holds a value that was wrong and is a stand-in
+    bool full = false;    ///< of a Region: what is read there stands in parentheses
+    bool falls = false;   ///< of a Region, see enter_region()
+    bool alone = false;   ///< of a Splice: the word in it is the head of no block
+    Span text;            ///< what is left of a Text; `items` hold the latest item of it
     Span span;            ///< the block, the call, the #include
     std::string_view name;
     bool wall() const { return kind == Kind::Region || kind == Kind::Block; }
@@ -114,13 +140,15 @@ private:
     bool ready = false;
     Next next = Next::End;
     char symbol = 0;
+    bool brace = false;      ///< an End that is the '}' of another text
     bool undeclared = false; ///< a Word that is a name of the user's without a value
     Span span;
-    std::string_view word;
+    std::string_view word;           ///< also the head of a Block
     ast::Expr const* expr = nullptr; ///< to be evaluated, unless `value` is set
     ast::Block const* block = nullptr;
     ast::Bracket const* bracket = nullptr;
     ast::Call const* split = nullptr; ///< first or second part of such a call
+    ast::Expr const* rest = nullptr;  ///< first or second part of `Object -y`
     Value const* value = nullptr;
     Value owned;
   };
@@ -128,8 +156,23 @@ private:
 
   bool take_punctuation(char symbol) override;
 
+  // reader_text.cpp: texts that are not whole
+  void look_for_block();
+  bool next_of_text(Frame&);
+  LooseItem const& loose_item(Span text);
+  void meet_brace(Span);
+  void close_at_brace();
+  void close_at_wall();
+  void fall();
+  /// What comes next as it stands, nothing carried out; null where a body, block or region ends.
+  ast::Item const* upcoming();
+
   // reader_frames.cpp, reader_values.cpp, reader_words.cpp
-  void settle();
+  void settle() {
+    settle_item();
+    if (peek_.next == Next::Word) look_for_block();
+  }
+  void settle_item();
   bool end_of_frame();
   void pop();
   void push(Frame&& frame);
@@ -156,6 +199,7 @@ private:
   void classify_call(ast::Call const&, Span);
   void classify_owned(Value&&, Span);
   ast::Call const* split_call(ast::Expr const&);
+  bool classify_sum(ast::Expr const&, ast::Binary const&);
 
   // directives.cpp
   void execute(ast::If const&);
@@ -166,14 +210,26 @@ private:
   void execute(ast::Macro const&);
   void execute(ast::Directive const&);
   bool next_round(Frame const&);
-  bool enter_clause(ast::Switch const&, std::size_t from, bool falling);
   void break_out(Span);
+  void leave_loop();
 
   // assign.cpp
-  void assign(ast::Declare const&, Value&&);
+  Value opened_value(std::string_view head, Span);
+  Value declared_value(ast::Declare const&);
+  std::optional<Value> simple_value(ast::Items const&);
+  struct Target {
+    int depth;        ///< of the tables of names, where the directive stands
+    Scope::Cell cell; ///< what a #declare sets there
+  };
+  Target target_of(ast::Declare const&);
+  void assign(ast::Declare const&, Target const&, Value&&);
   Scope::Cell argument(ast::Items const&, Span);
+  Scope::Cell shared_cell(ast::Expr const&);
+  std::optional<std::size_t> arguments_in_a_row(ast::Call const&, std::vector<Scope::Cell>&);
   void push_macro(ast::Call const&, MacroValue const&);
-  Value finish_colour(Numeric first);
+  Value finish_colour(Numeric first, bool walled);
+  /// Is the next item of that sort one that a value goes on with?
+  bool goes_on(bool walled, Next, std::string_view word);
 
   // statements.cpp: directives that are a word and its arguments
   void include(ast::Directive const&);
@@ -184,26 +240,41 @@ private:
   void undefine(ast::Directive const&);
   void open_file(ast::Directive const&);
   void close_file(ast::Directive const&);
+  void close_handle(Symbol);
   void read_file(ast::Directive const&);
   void write_file(ast::Directive const&);
   std::shared_ptr<FileValue> file_handle(ast::Directive const&, Symbol& symbol);
 
-  /// A block that an #if left open: it has no wall but ends at a Punctuation '}'.
+  /// A block that its text leaves open: it has no wall but ends at a '}' of another.
   struct OpenBlock {
     std::size_t frame; ///< where its frames begin; the innermost block while no wall lies above
     Span span;
     std::string_view head;
+    bool tainted = false;
   };
   bool in_open_block() const;
   Frame const& innermost_block() const;
   /// The frame of the block being read; null outside of all.
   Frame* this_block();
+  /// Where it is kept that the block being read is tainted; null outside of all.
+  bool* block_taint();
   void taint();
   bool tainted();
 
   Interpreter& in_;
   std::vector<Frame> frames_;
   std::vector<OpenBlock> open_blocks_;
+  struct Entered {
+    bool fallen; ///< has its wall fallen?
+    bool full;   ///< in_parentheses_ outside of it
+  };
+  std::vector<Entered> entered_; ///< the regions that were entered and not left
+  bool in_parentheses_ = false;  ///< is the expression being evaluated the content of some?
+  std::map<std::tuple<SourceFile const*, std::uint32_t, bool>, LooseItem> loose_items_;
+  std::map<ast::Item const*, ast::Items> lone_words_;
+  std::map<ast::Binary const*, ast::Expr> rests_;
+  std::unordered_set<Symbol> closed_files_; ///< handles of files that were open once
+  int rounds_with_errors_ = 0;              ///< of #while loops
   Peek peek_;
   ast::Expr element_; ///< the one of many vectors that is next, as an expression
   std::vector<std::string_view> asked_;

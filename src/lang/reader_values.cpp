@@ -34,7 +34,7 @@ std::string ReaderImpl::describe_next() {
   case Next::Identifier:
     return std::string(type_name(*peek_.value));
   case Next::Block:
-    return peek_.block->head.text.empty() ? "'{'" : fmt::format("'{} {{'", peek_.block->head.text);
+    return peek_.word.empty() ? "'{'" : fmt::format("'{} {{'", peek_.word);
   case Next::Bracket:
     return "'['";
   case Next::Punctuation:
@@ -45,12 +45,12 @@ std::string ReaderImpl::describe_next() {
 
 /// What the block says about its values now would only follow from the mistake already reported.
 void ReaderImpl::taint() {
-  if (Frame* const block = this_block()) block->tainted = true;
+  if (bool* const mark = block_taint()) *mark = true;
 }
 
 bool ReaderImpl::tainted() {
-  Frame const* const block = this_block();
-  return block != nullptr && block->tainted;
+  bool const* const mark = block_taint();
+  return mark != nullptr && *mark;
 }
 
 /// Reports that a value is not there: once at a place, whatever else is missed there.

@@ -11,9 +11,8 @@ namespace abbe::lang {
 std::string_view ReaderImpl::next_word() {
   switch (next()) {
   case Next::Word:
-    return peek_.word;
   case Next::Block:
-    return peek_.block->head.text;
+    return peek_.word;
   default:
     return {};
   }
@@ -60,7 +59,7 @@ bool ReaderImpl::take_punctuation(char symbol) {
 int ReaderImpl::face_texture() {
   // `texture_list { A B C }` names them bare, elsewhere they stand in a block.
   if (auto named = accept_value<scene::Layers>()) return add_face_texture(named.get(), *named);
-  if (next() != Next::Block || peek_.block->head.text != "texture") {
+  if (next() != Next::Block || peek_.word != "texture") {
     ask("texture");
     return -1;
   }
@@ -184,31 +183,45 @@ void ReaderImpl::unexpected(std::string_view what) {
   if (value && std::holds_alternative<Unsupported>(value->any)) return take();
   Span span = next_span();
   bool const name = peek_.next == Next::Word && peek_.undeclared;
-  if (tainted() && !name && peek_.next != Next::Block) return skip();
-  bool const block = peek_.next == Next::Block && !peek_.block->head.text.empty();
+  bool const loose = in_open_block();
+  if (tainted() && (loose || (!name && peek_.next != Next::Block))) return skip();
+  bool const block = peek_.next == Next::Block && !peek_.word.empty();
   std::string_view const word = next_word();
+  std::vector<Diagnostic::Note> notes;
+  if (loose)
+    notes.push_back({open_blocks_.back().span, fmt::format("in this '{}', which the text it stands "
+                                                           "in does not close",
+                                                           open_blocks_.back().head)});
   if (name || (block && !find_block_kind(word))) {
     std::string const hint = in_.suggestion(word, asked_);
     if (block && peek_.block->head.span.valid()) span = peek_.block->head.span;
-    in_.error(
-        "E0202",
+    in_.report(
+        Severity::Error, "E0202",
         fmt::format("unknown {} '{}': expected {}{}", name ? "name" : "block", word, what, hint),
-        span);
+        span, std::move(notes));
   } else {
     std::string const hint = word.empty() ? std::string() : did_you_mean(word, asked_);
-    in_.error("E0203", fmt::format("expected {}, found {}{}", what, describe_next(), hint), span);
+    in_.report(Severity::Error, "E0203",
+               fmt::format("expected {}, found {}{}", what, describe_next(), hint), span,
+               std::move(notes));
   }
+  if (loose) taint();
   skip();
 }
 
 void ReaderImpl::skip() {
   bool const word = next() == Next::Word;
+  if (peek_.next == Next::Block && (peek_.block->open || frames_.back().tail != nullptr)) {
+    open_any();
+    while (next() != Next::End) skip();
+    return close();
+  }
   consume();
   if (!word) return;
   for (;;) {
     Next const n = next();
     bool const belongs = n == Next::Numeric || n == Next::String || n == Next::Bracket
-                         || (n == Next::Block && peek_.block->head.text.empty());
+                         || (n == Next::Block && peek_.word.empty());
     if (!belongs) return;
     consume();
   }

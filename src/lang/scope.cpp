@@ -19,23 +19,21 @@ Scope::Cell Scope::cell(Symbol symbol) const {
   return bindings.empty() ? nullptr : bindings.back().cell;
 }
 
-Value& Scope::add(Symbol symbol, int depth) {
-  auto cell = std::make_shared<Value>();
-  Value& value = *cell;
-  names_[symbol].bindings.push_back({depth, std::move(cell)});
-  tables_[static_cast<std::size_t>(depth)].push_back(symbol);
-  return value;
-}
-
 Value& Scope::declare(Symbol symbol) {
   auto const& bindings = names_[symbol].bindings;
-  return bindings.empty() ? add(symbol, 0) : *bindings.back().cell;
+  return bindings.empty() ? declare_local(symbol, 0) : *bindings.back().cell;
 }
 
-Value& Scope::declare_local(Symbol symbol) {
-  auto const& bindings = names_[symbol].bindings;
-  if (!bindings.empty() && bindings.back().depth == depth()) return *bindings.back().cell;
-  return add(symbol, depth());
+Value& Scope::declare_local(Symbol symbol, int depth) {
+  auto& bindings = names_[symbol].bindings;
+  auto place = bindings.end();
+  while (place != bindings.begin() && place[-1].depth > depth) --place;
+  if (place != bindings.begin() && place[-1].depth == depth) return *place[-1].cell;
+  auto cell = std::make_shared<Value>();
+  Value& value = *cell;
+  bindings.insert(place, {depth, std::move(cell)});
+  tables_[static_cast<std::size_t>(depth)].push_back(symbol);
+  return value;
 }
 
 void Scope::bind(Symbol symbol, Cell cell) {

@@ -44,8 +44,9 @@ public:
   Cell cell(Symbol symbol) const;
   /// `#declare`: the innermost cell of that name, or else a new one in the outermost table.
   Value& declare(Symbol);
-  /// `#local`: the cell in the current table, made when there is none.
-  Value& declare_local(Symbol);
+  /// `#local`: the cell in the table of that depth, made when there is none.
+  Value& declare_local(Symbol, int depth);
+  Value& declare_local(Symbol symbol) { return declare_local(symbol, depth()); }
   /// Binds the name in the current table to an existing cell.
   void bind(Symbol, Cell);
   /// `#undef`. @return false when the name stands for nothing
@@ -78,7 +79,6 @@ private:
     std::vector<Binding> bindings;
     std::unique_ptr<Deprecation> deprecation;
   };
-  Value& add(Symbol, int depth);
 
   std::deque<Name> names_; ///< index = Symbol; 0 is none
   std::unordered_map<std::string_view, Symbol> index_;

@@ -157,7 +157,22 @@ std::shared_ptr<FileValue> ReaderImpl::file_handle(ast::Directive const& node, S
 
 void ReaderImpl::close_file(ast::Directive const& node) {
   Symbol symbol = 0;
-  if (file_handle(node, symbol)) in_.scope.undefine(symbol);
+  if (auto const* name = ast::get_if<ast::Name>(node.arguments.at(0)); name && !name->reserved) {
+    symbol = in_.scope.symbol(*name);
+    Value const* const value = in_.scope.find(symbol);
+    if (value == nullptr || !std::holds_alternative<std::shared_ptr<FileValue>>(value->any)) {
+      // Reading the last value has closed it, or another #fclose.
+      if (!closed_files_.contains(symbol))
+        in_.warning(fmt::format("#fclose: '{}' is no open file", name->text), node.span);
+      return;
+    }
+  }
+  if (file_handle(node, symbol)) close_handle(symbol);
+}
+
+void ReaderImpl::close_handle(Symbol symbol) {
+  in_.scope.undefine(symbol);
+  closed_files_.insert(symbol);
 }
 
 /// `#read(H, a, b)`: literals of the file into names; the handle is closed behind the last literal.
@@ -187,7 +202,7 @@ void ReaderImpl::read_file(ast::Directive const& node) {
       return;
     }
   }
-  if (at_end_of_literals(*file)) in_.scope.undefine(symbol);
+  if (at_end_of_literals(*file)) close_handle(symbol);
 }
 
 void ReaderImpl::write_file(ast::Directive const& node) {

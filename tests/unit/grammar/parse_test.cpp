@@ -154,6 +154,28 @@ TEST(Branches, LooseBracketsAreKept) {
             "If(Branch if(Paren(Name M), Block merge reserved open)), Name A, If(Branch "
             "if(Paren(Name M), Punctuation }))");
 }
+TEST(Branches, WhatIsNotWholeIsText) {
+  EXPECT_EQ(shape("#macro M() union { #end"), "Macro M()(Text)");
+  EXPECT_EQ(shape("#if(a) 1 ] #else 2 #end"),
+            "If(Branch if(Paren(Name a), Text), Branch else(Number 2))");
+  EXPECT_EQ(shape("#macro M() #for(I, 0, 1) } #end A #end"),
+            "Macro M()(For I(Number 0, Number 1, body:(Text)), Name A)");
+  EXPECT_EQ(first_error("#macro M() \"").substr(0, 25), "t.scn:1:12: error[E0103]:");
+  EXPECT_EQ(first_error("#macro M() { #if(a) #end").substr(0, 25), "t.scn:1:25: error[E0111]:");
+}
+TEST(Branches, TextsAreReadItemByItem) {
+  SourceFile const source("t.scn", "union { ; a -1 } #declare B = sphere {");
+  Span const text{&source, 0, static_cast<std::uint32_t>(source.text().size())};
+  std::string ends;
+  for (std::uint32_t at = 0;;) {
+    LooseItem const item = parse_loose(text, at, false);
+    ASSERT_FALSE(item.error.has_value());
+    if (item.items.empty()) break;
+    ends += std::to_string(at = item.end) + " ";
+  }
+  // union {, ;, a -1, }, #declare B =, sphere {
+  EXPECT_EQ(ends, "7 9 14 16 29 38 ");
+}
 TEST(Spans, CoverTheNodeWithoutBlanks) {
   Text const t(" \n sphere { <0, 1, 2> , R } // end");
   auto const span = ast::span_of(t.parsed.document.items.at(0));
@@ -165,8 +187,7 @@ TEST(Errors, PointAtTheTokenAndNameTheOpener) {
             "    )\n    ^\nt.scn:1:8: note: the block is opened here");
 }
 TEST(Errors, AreAllReportedAndTheRestIsParsed) {
-  Text const t(
-      "sphere { ) }\nbox { 0, 1 }\n#foo\n#macro M()\n  cone { ] }\n#end\nplane { y, 0 }\n");
+  Text const t("sphere { ) }\nbox { 0, 1 }\n#foo\nunion {\n  cone { ] }\n}\nplane { y, 0 }\n");
   EXPECT_EQ(t.parsed.errors.size(), 3u);
   EXPECT_EQ(
       t.shape(),

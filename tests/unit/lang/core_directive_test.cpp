@@ -115,6 +115,35 @@ TEST(Directive, MissingSemicolonAfterANumber) {
   EXPECT_EQ(codes_of("#declare S = \"a\" #declare T1 = sphere { 0, 1 }"), "");
 }
 
+TEST(Directive, MessagesAndDiagnosticsComeInTheirOrder) {
+  std::string const text = "#debug \"a\" #warning \"w\" #debug \"b\" #undef X #debug \"c\" ";
+  auto const heard = [](std::string const& scene, std::size_t whole_text) {
+    std::string out;
+    EvaluateOptions options;
+    options.whole_text = whole_text;
+    options.text_piece = 8;
+    options.on_message = [&](std::string_view message) { out += message; };
+    options.on_diagnostic = [&](Diagnostic const& d) { out += "<" + d.code + d.message + ">"; };
+    evaluate_text("test.scn", scene, options);
+    return out;
+  };
+  std::string const all = "a<w>b<#undef: 'X' is not declared>c";
+  EXPECT_EQ(heard(text, 1000), all);
+  EXPECT_EQ(heard(text, 0), all);
+  // A source with errors of syntax gives nothing but these, however it is read.
+  EXPECT_EQ(heard(text + ")", 1000), heard(text + ")", 0));
+  EXPECT_EQ(heard(text + ")", 0).substr(0, 6), "<E0112");
+}
+
+TEST(Directive, ErrorsEndTheLoopsThatWaitForWhatTheyDecide) {
+  EXPECT_EQ(codes_of("#declare L=0; #while(L<3) #if(Q>0) #declare L=L+1; #end #end"), "E0201");
+  EXPECT_EQ(codes_of("#declare L=0; #while(L<3) #switch(Q) #else #declare L=L+1; #end #end"),
+            "E0201");
+  EXPECT_EQ(codes_of("#for(I,0,Q) #error \"no\" #end"), "E0201");
+  EXPECT_EQ(codes_of("#declare L=0; #macro Add(A,B) #declare L=L+1; #end #while(L<3) Add(1) #end"),
+            "E0308 E0701");
+}
+
 TEST(Directive, ErrorEndsTheRun) {
   EXPECT_EQ(said("#debug \"a\" #error \"stop\" #debug \"b\"").substr(0, 1), "a");
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "grammar/body.hpp"
+
+namespace abbe::grammar {
+bool ends_body(Iterator at, Iterator last) {
+  std::string_view const word = directive_at(skip_blanks(at, last), last);
+  return word == "end" || divides_body(word);
+}
+
+Iterator find_end_of_body(Iterator at, Iterator last) {
+  int inner = 0;
+  for (;;) {
+    Token const token = next_token(at, last);
+    if (token.kind == TokenKind::End) return nullptr;
+    at = token.end;
+    if (token.kind != TokenKind::Directive) continue;
+    std::string_view const word = directive_at(token.begin, last);
+    if (inner == 0 && (word == "end" || divides_body(word))) return token.begin;
+    if (opens_body(word)) ++inner;
+    if (word == "end") --inner;
+  }
+}
+
+bool may_be_text(SyntaxError const& error) {
+  return error.code != "E0102" && error.code != "E0103" && !error.code.starts_with("E07");
+}
+
+} // namespace abbe::grammar
