@@ -248,8 +248,46 @@ void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double 
   }
 }
 
+/// Rays that go apart have few boxes of a large hierarchy in common: each walks it alone.
+bool World::Impl::diverge(FanLines const& rays, std::uint8_t mask) const {
+  constexpr double apart = 0.1;
+  constexpr std::size_t few = 32;
+  Group const& asked = group(mask);
+  if (asked.bvh.nodes().size() < few) return false;
+  return native.extents(rays).spread(glm::length(asked.hull.high - asked.hull.low)) > apart;
+}
+
+void World::Impl::find_each(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                            double const* t_max, Scratch& scratch, FanHits& hits) const {
+  HitGroup& group = scratch.lone;
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    FanHit& hit = hits.hit[k];
+    hit = {};
+    Kind const kind = first_single(rays.get(k), from, mask,
+                                   t_max == nullptr ? everywhere : t_max[k], scratch, group);
+    if (kind != Kind::Single) {
+      hit.kind = kind == Kind::Nothing ? FanHit::Kind::Nothing : FanHit::Kind::Unclear;
+      continue;
+    }
+    SurfaceCrossing const& crossing = group.crossings.front();
+    hit = {FanHit::Kind::Single, crossing.entering,
+           crossing.toggles,     group.members.front().was_entering,
+           crossing.solid,       crossing.primitive,
+           crossing.face};
+    hits.t[k] = group.t;
+    hits.error[k] = group.error;
+    hits.point.set(k, group.point);
+    hits.point_error.set(k, group.point_error);
+  }
+}
+
 void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
                         double const* t_max, Scratch& scratch, FanHits& hits) const {
+  if (impl_->diverge(rays, mask)) {
+    impl_->find_each(rays, from, mask, t_max, scratch, hits);
+    if (impl_->contacts.any()) impl_->find_contacts(rays, mask, t_max, scratch, hits);
+    return;
+  }
   Impl::Nearest nearest(rays.count, t_max);
   impl_->find_fan(rays, from, mask, scratch, nearest);
   native.points(rays, nearest, hits);
@@ -259,6 +297,13 @@ void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_
 
 void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
                          double const* t_max, Scratch& scratch, bool* blocked, bool* clear) const {
+  if (impl_->diverge(rays, mask)) {
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      blocked[k] = occluded(rays.get(k), from, mask, t_max[k], scratch);
+      clear[k] = !blocked[k];
+    }
+    return;
+  }
   Impl::Nearest nearest(rays.count, t_max);
   impl_->find_fan(rays, from, mask, scratch, nearest);
   for (std::size_t k = 0; k < rays.count; ++k) {

@@ -17,6 +17,14 @@ struct FanExtents {
     double least, largest;
   };
   Range origin[3], direction[3];
+  /// How far the rays go apart: in direction, and where they start as a share of `size`.
+  double spread(double size) const {
+    double apart = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      apart += direction[axis].largest - direction[axis].least
+               + (origin[axis].largest - origin[axis].least) / size;
+    return apart;
+  }
   /// By the largest errors of the rays' origins.
   FanExtents widened(FanLines const& rays) const {
     FanExtents out = *this;
@@ -45,8 +53,26 @@ FanExtents extents_of(FanLines const& rays) {
           {range(rays.direction.x), range(rays.direction.y), range(rays.direction.z)}};
 }
 
-/// The boxes that any ray of a fan may meet: BoxProbe in interval arithmetic. An axis along which
-/// the rays do not all go the same way is not tested.
+/// Along an axis where some rays rise and some fall, or do not move: those that rise most reach a
+/// box above them all first, those that fall most one below. Where none of them ever leaves a box
+/// again is not asked.
+/// @param per_rise 1 / the direction that rises most, >= 0; @param per_fall that falls most, <= 0
+template <class L>
+L spread_entry(L const& above, L const& per_rise, L const& below, L const& per_fall,
+               L const& from) {
+  return most(above * per_rise,
+              most(below * per_fall, from)); // NaN, 0 times infinity, is not taken
+}
+
+/// Of directions; zeros have the sign that their inverse needs.
+inline double rises_most(FanExtents::Range const& direction) {
+  return direction.largest > 0 ? direction.largest : 0.0;
+}
+inline double falls_most(FanExtents::Range const& direction) {
+  return direction.least < 0 ? direction.least : -0.0;
+}
+
+/// The boxes that any ray of a fan may meet: BoxProbe in interval arithmetic.
 class FanProbe {
 public:
   explicit FanProbe(FanExtents const& of)
@@ -58,7 +84,12 @@ public:
     constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
     for (int i = 0; i < 3; ++i) {
       Axis const& axis = axes_[i];
-      if (!axis.tested) continue;
+      if (axis.spread) {
+        double const begin = spread_entry(low[i] - axis.near_origin, axis.most,
+                                          high[i] - axis.far_origin, axis.least, 0.0);
+        if (begin * tight > from) from = begin * tight;
+        continue;
+      }
       double const near = axis.falling ? axis.near_origin - high[i] : low[i] - axis.near_origin;
       double const far = axis.falling ? axis.far_origin - low[i] : high[i] - axis.far_origin;
       double const begin = near < 0 ? near * axis.most * wide : near * axis.least * tight;
@@ -73,8 +104,8 @@ public:
 private:
   struct Axis {
     double near_origin, far_origin; ///< of the rays: from which boxes seem nearest, farthest
-    double least, most;             ///< of 1 / |direction|
-    bool tested, falling;
+    double least, most;             ///< of 1 / |direction|; spread: 1 / the least, the largest
+    bool spread, falling;
   };
   static Axis axis(FanExtents::Range const& origin, FanExtents::Range const& direction) {
     double low = origin.least, high = origin.largest;
@@ -86,13 +117,15 @@ private:
       fastest = -fastest;
       std::swap(slowest, fastest);
     }
+    bool const spread = !(slowest > 0 && 1.0 / slowest < std::numeric_limits<double>::infinity());
     // As seen along the way: near counts from the origin that is farthest on.
-    return {high,
-            low,
-            1.0 / fastest,
-            1.0 / slowest,
-            slowest > 0 && 1.0 / slowest < std::numeric_limits<double>::infinity(),
-            falling};
+    if (!spread) return {high, low, 1.0 / fastest, 1.0 / slowest, false, falling};
+    return {origin.largest,
+            origin.least,
+            1.0 / falls_most(direction),
+            1.0 / std::max(direction.largest, 0.0),
+            true,
+            false};
   }
   Axis axes_[3];
 };
@@ -102,20 +135,30 @@ class FanNodeProbe {
 public:
   using Single = FanProbe;
 
-  FanNodeProbe(FanExtents const& of, BvhSpace const& space)
-      : axes_{axis(of.origin[0], of.direction[0], space, 0),
-              axis(of.origin[1], of.direction[1], space, 1),
-              axis(of.origin[2], of.direction[2], space, 2)} {}
+  FanNodeProbe(FanExtents const& of, BvhSpace const& space) {
+    for (int i = 0; i < 3; ++i) {
+      if (Axis const along = axis(of.origin[i], of.direction[i], space, i); along.usable)
+        axes_[count_++] = along;
+      else
+        spread_[spread_count_++] = spread(of.origin[i], of.direction[i], space, i);
+    }
+  }
 
   /// As BoxProbe::enter, of the first of the rays.
   unsigned enter(BvhNode const& node, double from, double to, double (&entry)[2]) const {
     BoxPair in = same(from), out = same(to);
-    for (Axis const& axis : axes_) {
+    for (int i = 0; i < count_; ++i) {
+      Axis const& axis = axes_[i];
       BoxPair const first = axis.sides.near_planes(node) - axis.near;
       BoxPair const last = axis.sides.far_planes(node) - axis.far;
       // By the fastest ray where it lies ahead, by the slowest where it lies behind.
       in = most(least(first * axis.slowest, first * axis.fastest), in);
       out = least(most(last * axis.slowest, last * axis.fastest), out);
+    }
+    for (int i = 0; i < spread_count_; ++i) {
+      Spread const& axis = spread_[i];
+      in = spread_entry(axis.sides.near_planes(node) - axis.highest, axis.per_rise,
+                        axis.sides.far_planes(node) - axis.lowest, axis.per_fall, in);
     }
     std::memcpy(entry, &in, sizeof in);
     return met_boxes(in, out);
@@ -124,30 +167,61 @@ public:
 private:
   struct Axis {
     BoxPair near, far;        ///< of the rays: from which boxes seem nearest, farthest
-    BoxPair fastest, slowest; ///< 1 / direction, with room for roundings; NaN: not tested
-    BoxSides sides;
+    BoxPair fastest, slowest; ///< 1 / direction, with room for roundings
+    BoxSides sides{0, false};
+    bool usable = false;
   };
+  /// As spread_entry() asks for it.
+  struct Spread {
+    BoxPair highest, lowest; ///< of the origins
+    BoxPair per_rise, per_fall;
+    BoxSides sides{0, false};
+  };
+
+  static constexpr double wide = 1 + 2 * gamma_bound(4), tight = 1 - 2 * gamma_bound(4);
 
   static Axis axis(FanExtents::Range const& origin, FanExtents::Range const& direction,
                    BvhSpace const& space, int i) {
-    constexpr double wide = 1 + 2 * gamma_bound(4), tight = 1 - 2 * gamma_bound(4);
     bool const falling = direction.largest < 0;
     // As seen along the way: near counts from the origin that is farthest on.
     double const front = falling ? origin.least : origin.largest;
     double const back = falling ? origin.largest : origin.least;
-    double fastest = space.unit / (falling ? direction.least : direction.largest) * tight;
-    double slowest = space.unit / (falling ? direction.largest : direction.least) * wide;
+    double const fastest = space.unit / (falling ? direction.least : direction.largest) * tight;
+    double const slowest = space.unit / (falling ? direction.largest : direction.least) * wide;
     BoxOrigin const ahead((front - space.centre[i]) * space.per_unit, fastest);
     BoxOrigin const behind((back - space.centre[i]) * space.per_unit, fastest);
-    bool const tested = (falling || direction.least > 0)
+    bool const usable = (falling || direction.least > 0)
                         && std::fabs(fastest) >= BoxRange::smallest_inverse
                         && std::fabs(slowest) <= BoxRange::largest_inverse
                         && std::fabs(ahead.near) + std::fabs(behind.far) <= BoxRange::farthest;
-    if (!tested) fastest = slowest = std::numeric_limits<double>::quiet_NaN();
-    return {same(ahead.near), same(behind.far), same(fastest), same(slowest),
-            BoxSides(static_cast<std::size_t>(i), falling)};
+    return {same(ahead.near),
+            same(behind.far),
+            same(fastest),
+            same(slowest),
+            BoxSides(static_cast<std::size_t>(i), falling),
+            usable};
   }
+  static Spread spread(FanExtents::Range const& origin, FanExtents::Range const& direction,
+                       BvhSpace const& space, int i) {
+    BoxOrigin const high((origin.largest - space.centre[i]) * space.per_unit, 1.0);
+    BoxOrigin const low((origin.least - space.centre[i]) * space.per_unit, -1.0);
+    bool const near = std::fabs(high.near) + std::fabs(low.near) <= BoxRange::farthest;
+    // Of no motion, infinite: what is not beside the rays is never reached.
+    auto const inverse = [&](double of) {
+      double const size = space.unit / of * tight;
+      bool const usable = near
+                          && (of == 0
+                              || (std::fabs(size) >= BoxRange::smallest_inverse
+                                  && std::fabs(size) <= BoxRange::largest_inverse));
+      return same(usable ? size : std::numeric_limits<double>::quiet_NaN());
+    };
+    return {same(high.near), same(low.near), inverse(rises_most(direction)),
+            inverse(falls_most(direction)), BoxSides(static_cast<std::size_t>(i), false)};
+  }
+
   Axis axes_[3];
+  Spread spread_[3];
+  int count_ = 0, spread_count_ = 0;
 };
 
 } // namespace abbe::geometry

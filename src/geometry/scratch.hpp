@@ -62,6 +62,7 @@ public:
   std::vector<Event> events;
   std::vector<Candidate> candidates;
   std::vector<Departure::On> members;
+  HitGroup lone;     ///< what one ray of a fan meets by itself
   HitGroup beyond;   ///< what is in contact with a group
   Departure through; ///< from that group on
   std::vector<FanProposal> proposals;

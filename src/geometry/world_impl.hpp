@@ -91,6 +91,10 @@ struct World::Impl {
                 Nearest& nearest) const;
   void find_contacts(FanLines const& rays, std::uint8_t mask, double const* t_max, Scratch& scratch,
                      FanHits& hits) const;
+  bool diverge(FanLines const& rays, std::uint8_t mask) const;
+  /// first_single() for each ray.
+  void find_each(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                 double const* t_max, Scratch& scratch, FanHits& hits) const;
   /// Tells one world's scratch from another's, nothing more.
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};

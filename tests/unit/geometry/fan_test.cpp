@@ -116,6 +116,50 @@ TEST_F(FanTest, EachRayMeetsWhatItMeetsAlone) {
 }
 
 /// Both faces of a plate lie within the error of a ball's surface.
+/// 300 balls on a grid, so that lines along an axis touch boxes too: large enough for a hierarchy.
+World cloud() {
+  std::vector<PlacedShape> shapes;
+  std::vector<World::Solid> solids;
+  for (int i = 0; i < 300; ++i) {
+    shapes.push_back(
+        *make_sphere({i % 7 - 3.0, i / 7 % 7 - 3.0, i / 49 - 3.0}, 0.125 + 0.125 * (i % 3)));
+    solids.push_back({leaf(static_cast<PrimitiveId>(i))});
+  }
+  return World(shapes, solids);
+}
+
+/// Rays that all stand still along an axis, go both ways along it, or go everywhere.
+TEST(FanOfManySolids, MeetsWhatItsRaysMeetAlone) {
+  World const world = cloud();
+  ScratchPtr const scratch = World::make_scratch();
+  std::uint64_t drawn = 0;
+  auto const uniform = [&] { return RandomKey(11).child(++drawn).uniform(0); };
+  int found = 0;
+  for (int run = 0; run < 600; ++run) {
+    int const axis = run % 3, kind = run / 3 % 4;
+    double const sign = run % 2 == 0 ? 1 : -1;
+    FanLines lines;
+    lines.count = 1 + static_cast<std::size_t>(run) % fan_width;
+    double t_max[fan_width];
+    for (std::size_t k = 0; k < lines.count; ++k) {
+      Vec3 origin, direction{0};
+      for (int i = 0; i < 3; ++i) origin[i] = std::floor(64 * uniform()) / 8 - 4;
+      direction[axis] = sign;
+      if (kind == 1)
+        direction[(axis + 1) % 3] = 0.02 * (uniform() - 0.5); // both ways, or not at all
+      if (kind == 2) direction[(axis + 2) % 3] = -0.0;
+      if (kind == 3) direction = {uniform() - 0.5, uniform() - 0.5, uniform() - 0.5};
+      if (kind == 1 && k > 0) origin = lines.origin.get(0) + Vec3(0.01 * uniform());
+      lines.origin.set(k, origin);
+      lines.direction.set(k, direction);
+      lines.origin_error.set(k, Vec3(0));
+      t_max[k] = 8 * uniform();
+    }
+    found += compare_fan(world, lines, nullptr, t_max, *scratch).single;
+  }
+  EXPECT_GT(found, 2000);
+}
+
 TEST(FanPair, IsNoneWhereOneOfTheTwoSolidsIsMetTwice) {
   double const gap = 1e-9;
   // What has no bounds is asked last.
