@@ -260,10 +260,8 @@ struct Declare {
   bool deprecated_once = false;
   String deprecation; ///< the message of `deprecated "..."`, its span invalid when there is none
   Expr target;
-  /// One expression as a rule (a block is one too); more for fragments (`color rgb <1,0,0> filter
-  /// .5`, old-style `texture { ... } finish { ... }` without a block stays one item each). None:
-  /// the value is what comes next when the directive is carried out (`#declare A = #declare B = 3;
-  /// B;`).
+  /// One expression as a rule; more for fragments (`color rgb <1,0,0> filter .5`). None: the value
+  /// is what comes next when the directive is carried out (`#declare A = #declare B = 3; B;`).
   Items value;
   bool has_semicolon = false;
 };

@@ -35,7 +35,7 @@ private:
   void index_lines() const;
   std::string name_;
   FileText text_;
-  std::size_t mark_; ///< bytes of a byte order mark
+  std::size_t mark_;                               ///< bytes of a byte order mark
   mutable std::vector<std::uint32_t> line_starts_; ///< filled on the first message
 };
 

@@ -56,20 +56,20 @@ FanExtents extents_of(FanLines const& rays) {
 /// Along an axis where some rays rise and some fall, or do not move: those that rise most reach a
 /// box above them all first, those that fall most one below. Where none of them ever leaves a box
 /// again is not asked.
-/// @param per_rise 1 / the direction that rises most, >= 0; @param per_fall that falls most, <= 0
+/// @param rise per_rise() of the directions; @param fall their per_fall()
 template <class L>
-L spread_entry(L const& above, L const& per_rise, L const& below, L const& per_fall,
-               L const& from) {
-  return most(above * per_rise,
-              most(below * per_fall, from)); // NaN, 0 times infinity, is not taken
+L spread_entry(L const& above, L const& rise, L const& below, L const& fall, L const& from) {
+  return most(above * rise, most(below * fall, from)); // NaN, 0 times infinity, is not taken
 }
 
-/// Of directions; zeros have the sign that their inverse needs.
-inline double rises_most(FanExtents::Range const& direction) {
-  return direction.largest > 0 ? direction.largest : 0.0;
+/// 1 / the direction that rises most, and that falls most: infinite where none does.
+inline double per_rise(FanExtents::Range const& direction) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return direction.largest > 0 ? 1.0 / direction.largest : infinite;
 }
-inline double falls_most(FanExtents::Range const& direction) {
-  return direction.least < 0 ? direction.least : -0.0;
+inline double per_fall(FanExtents::Range const& direction) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return direction.least < 0 ? 1.0 / direction.least : -infinite;
 }
 
 /// The boxes that any ray of a fan may meet: BoxProbe in interval arithmetic.
@@ -120,12 +120,7 @@ private:
     bool const spread = !(slowest > 0 && 1.0 / slowest < std::numeric_limits<double>::infinity());
     // As seen along the way: near counts from the origin that is farthest on.
     if (!spread) return {high, low, 1.0 / fastest, 1.0 / slowest, false, falling};
-    return {origin.largest,
-            origin.least,
-            1.0 / falls_most(direction),
-            1.0 / std::max(direction.largest, 0.0),
-            true,
-            false};
+    return {origin.largest, origin.least, per_fall(direction), per_rise(direction), true, false};
   }
   Axis axes_[3];
 };
@@ -207,16 +202,16 @@ private:
     BoxOrigin const low((origin.least - space.centre[i]) * space.per_unit, -1.0);
     bool const near = std::fabs(high.near) + std::fabs(low.near) <= BoxRange::farthest;
     // Of no motion, infinite: what is not beside the rays is never reached.
-    auto const inverse = [&](double of) {
-      double const size = space.unit / of * tight;
-      bool const usable = near
-                          && (of == 0
-                              || (std::fabs(size) >= BoxRange::smallest_inverse
-                                  && std::fabs(size) <= BoxRange::largest_inverse));
-      return same(usable ? size : std::numeric_limits<double>::quiet_NaN());
+    auto const inverse = [&](double per_direction) {
+      double const scaled = space.unit * per_direction * tight, size = std::fabs(scaled);
+      bool const usable =
+          near
+          && (size == BoxRange::infinite
+              || (size >= BoxRange::smallest_inverse && size <= BoxRange::largest_inverse));
+      return same(usable ? scaled : std::numeric_limits<double>::quiet_NaN());
     };
-    return {same(high.near), same(low.near), inverse(rises_most(direction)),
-            inverse(falls_most(direction)), BoxSides(static_cast<std::size_t>(i), false)};
+    return {same(high.near), same(low.near), inverse(per_rise(direction)),
+            inverse(per_fall(direction)), BoxSides(static_cast<std::size_t>(i), false)};
   }
 
   Axis axes_[3];

@@ -33,6 +33,9 @@ bool ReaderImpl::next_of_text(Frame& frame) {
 
 ast::Item const* ReaderImpl::upcoming() {
   for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+    if (frame->position == frame->items->size() && frame->stream != nullptr
+        && in_.streams.next(*frame->stream))
+      frame->position = 0;
     if (frame->position < frame->items->size()) return &(*frame->items)[frame->position];
     if (frame->text.begin < frame->text.end) {
       LooseItem const& item = loose_item(frame->text);
