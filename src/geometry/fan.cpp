@@ -3,7 +3,7 @@
 
 #include "geometry/fan_probe.hpp"
 #include "geometry/fan_solids.hpp"
-#include "geometry/registers.hpp"
+#include "simd/native.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,26 +44,29 @@ void FanHits::write(std::size_t k, HitGroup& out) const {
 namespace {
 
 /// set_point() for all rays; without meaning for those that met nothing.
-template <class L>
-void find_points(FanLines const& rays, FanNearest const& nearest, FanHits& out) {
-  lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
-    auto const t = lane::load<Lanes>(nearest.first.t + at),
-               error = lane::load<Lanes>(nearest.first.error + at);
-    lane::store(out.t + at, t);
-    lane::store(out.error + at, error);
-    auto const along = [&](double const* origin, double const* direction, double* point,
-                           double* point_error) {
-      auto const d = lane::load<Lanes>(direction + at), step = t * d;
-      auto const p = lane::load<Lanes>(origin + at) + step;
-      lane::store(point + at, p);
-      lane::store(point_error + at,
-                  lane::abs(d) * error + Lanes(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
-    };
-    along(rays.origin.x, rays.direction.x, out.point.x, out.point_error.x);
-    along(rays.origin.y, rays.direction.y, out.point.y, out.point_error.y);
-    along(rays.origin.z, rays.direction.z, out.point.z, out.point_error.z);
-  });
-}
+struct FindPoints {
+  template <class L>
+  static void run(FanLines const& rays, FanNearest const& nearest, FanHits& out) {
+    lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
+      auto const t = lane::load<Lanes>(nearest.first.t + at),
+                 error = lane::load<Lanes>(nearest.first.error + at);
+      lane::store(out.t + at, t);
+      lane::store(out.error + at, error);
+      auto const along = [&](double const* origin, double const* direction, double* point,
+                             double* point_error) {
+        auto const d = lane::load<Lanes>(direction + at), step = t * d;
+        auto const p = lane::load<Lanes>(origin + at) + step;
+        lane::store(point + at, p);
+        lane::store(point_error + at,
+                    lane::abs(d) * error
+                        + Lanes(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
+      };
+      along(rays.origin.x, rays.direction.x, out.point.x, out.point_error.x);
+      along(rays.origin.y, rays.direction.y, out.point.y, out.point_error.y);
+      along(rays.origin.z, rays.direction.z, out.point.z, out.point_error.z);
+    });
+  }
+};
 
 SurfaceCrossing crossing_of(FanProposal const& proposal, FanNearest::Crossing const& found,
                             std::size_t k) {
@@ -106,64 +109,40 @@ void write_hits(std::size_t count, FanNearest const& nearest,
   }
 }
 
-/// The functions for the registers that the machine has.
-struct Kernels {
-  void (*convex)(FanQuery const&, Placed const&, EndsKernel const&, Start const*, double);
-  void (*cut)(FanQuery const&, World::Impl const&, SolidId, ConvexCut const&);
-  void (*tree)(FanQuery const&, World::Impl const&, SolidId, LaneTree const&, TreeOperands const&);
-  void (*points)(FanLines const&, FanNearest const&, FanHits&);
-  FanExtents (*extents)(FanLines const&);
+struct ProposeConvex {
+  template <class L>
+  static void run(FanQuery const& query, Placed const& placed, EndsKernel const& shape,
+                  Start const* start, double number) {
+    propose_convex<L>(query, placed, shape, start, number);
+  }
 };
-using lane::Double4;
-constexpr Kernels narrow_kernels = {propose_convex<Double4>, propose_cut<Double4>,
-                                    propose_tree<Double4>, find_points<Double4>,
-                                    extents_of<Double4>};
-#if ABBE_HAS_WIDE_LANES
-using lane::Wide4, lane::Wide8;
-ABBE_FOR_AVX2 void propose_convex_wide(FanQuery const& query, Placed const& placed,
-                                       EndsKernel const& shape, Start const* start, double number) {
-  propose_convex<Wide4>(query, placed, shape, start, number);
-}
-ABBE_FOR_AVX2 void propose_cut_wide(FanQuery const& query, World::Impl const& world, SolidId id,
-                                    ConvexCut const& cut) {
-  propose_cut<Wide4>(query, world, id, cut);
-}
-ABBE_FOR_AVX2 void propose_tree_wide(FanQuery const& query, World::Impl const& world, SolidId id,
-                                     LaneTree const& tree, TreeOperands const& operands) {
-  propose_tree<Wide4>(query, world, id, tree, operands);
-}
-ABBE_FOR_AVX2 void find_points_wide(FanLines const& rays, FanNearest const& nearest, FanHits& out) {
-  find_points<Wide4>(rays, nearest, out);
-}
-ABBE_FOR_AVX2 FanExtents extents_wide(FanLines const& rays) {
-  return extents_of<Wide4>(rays);
-}
-ABBE_FOR_AVX512 void propose_convex_widest(FanQuery const& query, Placed const& placed,
-                                           EndsKernel const& shape, Start const* start,
-                                           double number) {
-  propose_convex<Wide8>(query, placed, shape, start, number);
-}
-ABBE_FOR_AVX512 void propose_cut_widest(FanQuery const& query, World::Impl const& world, SolidId id,
-                                        ConvexCut const& cut) {
-  propose_cut<Wide8>(query, world, id, cut);
-}
-ABBE_FOR_AVX512 void propose_tree_widest(FanQuery const& query, World::Impl const& world,
-                                         SolidId id, LaneTree const& tree,
-                                         TreeOperands const& operands) {
-  propose_tree<Wide8>(query, world, id, tree, operands);
-}
-ABBE_FOR_AVX512 void find_points_widest(FanLines const& rays, FanNearest const& nearest,
-                                        FanHits& out) {
-  find_points<Wide8>(rays, nearest, out);
-}
-Kernels const native = for_registers<Kernels>(
-    narrow_kernels,
-    {propose_convex_wide, propose_cut_wide, propose_tree_wide, find_points_wide, extents_wide},
-    {propose_convex_widest, propose_cut_widest, propose_tree_widest, find_points_widest,
-     extents_wide});
-#else
-Kernels const native = narrow_kernels;
-#endif
+struct ProposeCut {
+  template <class L>
+  static void run(FanQuery const& query, World::Impl const& world, SolidId id,
+                  ConvexCut const& cut) {
+    propose_cut<L>(query, world, id, cut);
+  }
+};
+struct ProposeTree {
+  template <class L>
+  static void run(FanQuery const& query, World::Impl const& world, SolidId id, LaneTree const& tree,
+                  TreeOperands const& operands) {
+    propose_tree<L>(query, world, id, tree, operands);
+  }
+};
+struct FindExtents {
+  template <class L>
+  static FanExtents run(FanLines const& rays) {
+    return extents_of<L>(rays);
+  }
+};
+struct {
+  simd::Native<ProposeConvex> convex;
+  simd::Native<ProposeCut> cut;
+  simd::Native<ProposeTree> tree;
+  simd::Native<FindPoints> points;
+  simd::Native<FindExtents, 4> extents;
+} constexpr native;
 
 } // namespace
 

@@ -3,7 +3,7 @@
 
 #include "geometry/box_probe.hpp"
 #include "geometry/fan.hpp"
-#include "geometry/lane.hpp"
+#include "simd/lane.hpp"
 
 #include <algorithm>
 #include <cmath>

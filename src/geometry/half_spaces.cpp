@@ -2,8 +2,8 @@
 #include "geometry/half_spaces.hpp"
 
 #include "geometry/line.hpp"
-#include "geometry/registers.hpp"
 #include "geometry/shapes/plane.hpp"
+#include "simd/native.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,24 +25,26 @@ struct Bound {
 
 /// Heights over the planes and speeds towards them. @return false where the line is outside of one
 /// and goes away from it
-template <class L>
-bool measure(Planes const& planes, Ray const& ray, double at_rest, double steep,
-             HalfSpaceScratch& scratch) {
-  L const ox(ray.origin.x), oy(ray.origin.y), oz(ray.origin.z);
-  L const dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
-  L const clear(at_rest), slow(steep);
-  Planes const p = planes;
-  double *const heights = scratch.height.data(), *const speeds = scratch.speed.data();
-  for (std::size_t i = 0; i < p.size; i += width) {
-    L const nx = lane::load<L>(p.x + i), ny = lane::load<L>(p.y + i), nz = lane::load<L>(p.z + i);
-    L const height = (nx * ox + ny * oy + nz * oz) - lane::load<L>(p.level + i);
-    L const speed = nx * dx + ny * dy + nz * dz;
-    if (!lane::none(lane::both(clear < height, slow < speed))) return false;
-    lane::store(heights + i, height);
-    lane::store(speeds + i, speed);
+struct Measure {
+  template <class L>
+  static bool run(Planes const& planes, Ray const& ray, double at_rest, double steep,
+                  HalfSpaceScratch& scratch) {
+    L const ox(ray.origin.x), oy(ray.origin.y), oz(ray.origin.z);
+    L const dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
+    L const clear(at_rest), slow(steep);
+    Planes const p = planes;
+    double *const heights = scratch.height.data(), *const speeds = scratch.speed.data();
+    for (std::size_t i = 0; i < p.size; i += width) {
+      L const nx = lane::load<L>(p.x + i), ny = lane::load<L>(p.y + i), nz = lane::load<L>(p.z + i);
+      L const height = (nx * ox + ny * oy + nz * oz) - lane::load<L>(p.level + i);
+      L const speed = nx * dx + ny * dy + nz * dz;
+      if (!lane::none(lane::both(clear < height, slow < speed))) return false;
+      lane::store(heights + i, height);
+      lane::store(speeds + i, speed);
+    }
+    return true;
   }
-  return true;
-}
+};
 
 /// Place of the first that is `value`, which is there.
 template <class L>
@@ -61,86 +63,65 @@ struct Extreme {
 
 /// Where the line enters and leaves each, and the last and first of that. @return false where a
 /// plane is too near the start, or nearly parallel
-template <class L>
-bool find_ends(std::size_t size, double at_rest, double steep, HalfSpaceScratch& scratch,
-               Extreme& in, Extreme& out) {
-  L const zero(0.0), far(infinity), clear(at_rest), slow(steep);
-  L nearest_out = far, farthest_in = far; // of -t
-  auto unclear = zero < zero;
-  double const *const heights = scratch.height.data(), *const speeds = scratch.speed.data();
-  double *const outs = scratch.out.data(), *const minus_ins = scratch.minus_in.data();
-  for (std::size_t i = 0; i < size; i += width) {
-    L const height = lane::load<L>(heights + i), speed = lane::load<L>(speeds + i);
-    unclear =
-        lane::either(unclear, lane::either(lane::abs(height) <= clear, lane::abs(speed) <= slow));
-    L const minus_t = height / speed, t = -minus_t;
-    auto const leaving = zero < speed, above = zero < height;
-    L const out_t = lane::select(leaving, t, far);
-    L const minus_in = lane::select(lane::both(lane::negate(leaving), above), minus_t, far);
-    lane::store(outs + i, out_t);
-    lane::store(minus_ins + i, minus_in);
-    nearest_out = lane::min(nearest_out, out_t);
-    farthest_in = lane::min(farthest_in, minus_in);
+struct FindEnds {
+  template <class L>
+  static bool run(std::size_t size, double at_rest, double steep, HalfSpaceScratch& scratch,
+                  Extreme& in, Extreme& out) {
+    L const zero(0.0), far(infinity), clear(at_rest), slow(steep);
+    L nearest_out = far, farthest_in = far; // of -t
+    auto unclear = zero < zero;
+    double const *const heights = scratch.height.data(), *const speeds = scratch.speed.data();
+    double *const outs = scratch.out.data(), *const minus_ins = scratch.minus_in.data();
+    for (std::size_t i = 0; i < size; i += width) {
+      L const height = lane::load<L>(heights + i), speed = lane::load<L>(speeds + i);
+      unclear =
+          lane::either(unclear, lane::either(lane::abs(height) <= clear, lane::abs(speed) <= slow));
+      L const minus_t = height / speed, t = -minus_t;
+      auto const leaving = zero < speed, above = zero < height;
+      L const out_t = lane::select(leaving, t, far);
+      L const minus_in = lane::select(lane::both(lane::negate(leaving), above), minus_t, far);
+      lane::store(outs + i, out_t);
+      lane::store(minus_ins + i, minus_in);
+      nearest_out = lane::min(nearest_out, out_t);
+      farthest_in = lane::min(farthest_in, minus_in);
+    }
+    if (!lane::none(unclear)) return false;
+    in = {lane::least(farthest_in), 0};
+    out = {lane::least(nearest_out), 0};
+    if (in.t < infinity) in.plane = place_of<L>(in.t, minus_ins);
+    if (out.t < infinity) out.plane = place_of<L>(out.t, outs);
+    return true;
   }
-  if (!lane::none(unclear)) return false;
-  in = {lane::least(farthest_in), 0};
-  out = {lane::least(nearest_out), 0};
-  if (in.t < infinity) in.plane = place_of<L>(in.t, minus_ins);
-  if (out.t < infinity) out.plane = place_of<L>(out.t, outs);
-  return true;
-}
+};
 
 /// How many planes' ends may be within their errors of t +- error. @tparam Entering those where the
 /// line enters, else where it leaves
-template <bool Entering, class L>
-int count_near(HalfSpaceScratch const& scratch, Bound const& bound, double t, double error) {
-  L const zero(0.0), one(1.0), far(infinity), here(t), about(error), at_rest(bound.at_rest),
-      per_t(bound.per_t);
-  L near = zero;
-  std::size_t const size = scratch.speed.size();
-  double const* const speeds = scratch.speed.data();
-  double const* const ends = (Entering ? scratch.minus_in : scratch.out).data();
-  for (std::size_t i = 0; i < size; i += width) {
-    L const speed = lane::abs(lane::load<L>(speeds + i)), end = lane::load<L>(ends + i);
-    L const own = Entering ? -end : end;
-    L const apart = Entering ? here - own : own - here;
-    auto const within = (apart - about) * speed <= at_rest + own * per_t;
-    near = near + lane::select(lane::both(within, lane::abs(own) < far), one, zero);
-  }
-  return static_cast<int>(lane::get(near, 0) + lane::get(near, 1) + lane::get(near, 2)
-                          + lane::get(near, 3));
-}
-
-/// The kernels for one kind of registers.
-struct Kernels {
-  bool (*measure)(Planes const&, Ray const&, double, double, HalfSpaceScratch&);
-  bool (*find_ends)(std::size_t, double, double, HalfSpaceScratch&, Extreme&, Extreme&);
-  int (*near_entries)(HalfSpaceScratch const&, Bound const&, double, double);
-  int (*near_exits)(HalfSpaceScratch const&, Bound const&, double, double);
-};
-constexpr Kernels narrow_kernels = {measure<lane::Double4>, find_ends<lane::Double4>,
-                                    count_near<true, lane::Double4>,
-                                    count_near<false, lane::Double4>};
-#if ABBE_HAS_WIDE_LANES
-ABBE_FOR_AVX2 bool measure_wide(Planes const& planes, Ray const& ray, double at_rest, double steep,
-                                HalfSpaceScratch& scratch) {
-  return measure<lane::Wide4>(planes, ray, at_rest, steep, scratch);
-}
-ABBE_FOR_AVX2 bool find_ends_wide(std::size_t size, double at_rest, double steep,
-                                  HalfSpaceScratch& scratch, Extreme& in, Extreme& out) {
-  return find_ends<lane::Wide4>(size, at_rest, steep, scratch, in, out);
-}
 template <bool Entering>
-ABBE_FOR_AVX2 int count_near_wide(HalfSpaceScratch const& scratch, Bound const& bound, double t,
-                                  double error) {
-  return count_near<Entering, lane::Wide4>(scratch, bound, t, error);
-}
-constexpr Kernels wide_kernels = {measure_wide, find_ends_wide, count_near_wide<true>,
-                                  count_near_wide<false>};
-Kernels const native = for_registers(narrow_kernels, wide_kernels, wide_kernels);
-#else
-Kernels const native = narrow_kernels;
-#endif
+struct CountNear {
+  template <class L>
+  static int run(HalfSpaceScratch const& scratch, Bound const& bound, double t, double error) {
+    L const zero(0.0), one(1.0), far(infinity), here(t), about(error), at_rest(bound.at_rest),
+        per_t(bound.per_t);
+    L near = zero;
+    std::size_t const size = scratch.speed.size();
+    double const* const speeds = scratch.speed.data();
+    double const* const ends = (Entering ? scratch.minus_in : scratch.out).data();
+    for (std::size_t i = 0; i < size; i += width) {
+      L const speed = lane::abs(lane::load<L>(speeds + i)), end = lane::load<L>(ends + i);
+      L const own = Entering ? -end : end;
+      L const apart = Entering ? here - own : own - here;
+      auto const within = (apart - about) * speed <= at_rest + own * per_t;
+      near = near + lane::select(lane::both(within, lane::abs(own) < far), one, zero);
+    }
+    return static_cast<int>(lane::get(near, 0) + lane::get(near, 1) + lane::get(near, 2)
+                            + lane::get(near, 3));
+  }
+};
+
+simd::Native<Measure, width> const measure;
+simd::Native<FindEnds, width> const find_ends;
+simd::Native<CountNear<true>, width> const near_entries;
+simd::Native<CountNear<false>, width> const near_exits;
 
 } // namespace
 
@@ -213,14 +194,13 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
   out.per_t = per_t(ray.direction);
   double const steep = clear_factor * out.per_t;
   Planes const planes{normal_x_.data(), normal_y_.data(), normal_z_.data(), level_.data(), size};
-  if (!native.measure(planes, ray, out.at_rest, steep, scratch)) return Verdict::Nothing;
+  if (!measure(planes, ray, out.at_rest, steep, scratch)) return Verdict::Nothing;
   if (from != nullptr) {
     Verdict const verdict = apply_departure(*from, steep, scratch);
     if (verdict != Verdict::Something) return verdict;
   }
   Extreme first_out{}, last_in{};
-  if (!native.find_ends(size, out.at_rest, steep, scratch, last_in, first_out))
-    return Verdict::Unclear;
+  if (!find_ends(size, out.at_rest, steep, scratch, last_in, first_out)) return Verdict::Unclear;
   // What fills up the lanes is not to be counted.
   for (std::size_t i = primitives_.size(); i < size; ++i)
     scratch.out[i] = scratch.minus_in[i] = infinity;
@@ -239,12 +219,12 @@ HalfSpaces::Verdict HalfSpaces::common(Ray const& ray, Departure const* from,
 
 int HalfSpaces::entering_near(Common const& common, double t, double error,
                               HalfSpaceScratch const& scratch) const {
-  return empty() ? 0 : native.near_entries(scratch, {common.at_rest, common.per_t}, t, error);
+  return empty() ? 0 : near_entries(scratch, {common.at_rest, common.per_t}, t, error);
 }
 
 int HalfSpaces::leaving_near(Common const& common, double t, double error,
                              HalfSpaceScratch const& scratch) const {
-  return empty() ? 0 : native.near_exits(scratch, {common.at_rest, common.per_t}, t, error);
+  return empty() ? 0 : near_exits(scratch, {common.at_rest, common.per_t}, t, error);
 }
 
 } // namespace abbe::geometry

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane.hpp"
 #include "geometry/line_query.hpp"
+#include "simd/lane.hpp"
 
 #include <cmath>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane.hpp"
 #include "geometry/shape.hpp"
+#include "simd/lane.hpp"
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/fan.hpp"
-#include "geometry/float_lanes.hpp"
 #include "geometry/half_spaces.hpp"
+#include "simd/float_lanes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane.hpp"
+#include "base/vec.hpp"
+#include "simd/lane.hpp"
 
 /// Numbers of twice the digits, for what doubles cannot tell.
 namespace abbe::geometry {

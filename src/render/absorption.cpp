@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/absorption.hpp"
 
-#include "geometry/lane.hpp"
-#include "geometry/registers.hpp"
+#include "simd/native.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -11,8 +10,6 @@
 
 namespace abbe::render {
 namespace {
-
-namespace lane = geometry::lane;
 
 /// The integer in the last bits of `shifted` = 1.5 2^52 + k, as the exponent of 2^k.
 double power_of_two(double shifted) {
@@ -63,31 +60,21 @@ L attenuation(L const& depth) {
   return lane::select(L(deepest) < depth, zero, value);
 }
 
-template <class L>
-void absorb(double const* depths, std::size_t count, double* values) {
-  lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t at) {
-    Lanes const left = attenuation(lane::load<Lanes>(depths + at));
-    if (at + lane::width<Lanes> <= count)
-      return lane::store(values + at, lane::load<Lanes>(values + at) * left);
-    double rest[lane::width<Lanes>];
-    lane::store(rest, left);
-    for (std::size_t i = at; i < count; ++i) values[i] *= rest[i - at];
-  });
-}
+struct Absorb {
+  template <class L>
+  static void run(double const* depths, std::size_t count, double* values) {
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t at) {
+      Lanes const left = attenuation(lane::load<Lanes>(depths + at));
+      if (at + lane::width<Lanes> <= count)
+        return lane::store(values + at, lane::load<Lanes>(values + at) * left);
+      double rest[lane::width<Lanes>];
+      lane::store(rest, left);
+      for (std::size_t i = at; i < count; ++i) values[i] *= rest[i - at];
+    });
+  }
+};
 
-using Absorber = void (*)(double const*, std::size_t, double*);
-#if ABBE_HAS_WIDE_LANES
-ABBE_FOR_AVX2 void absorb_wide(double const* depths, std::size_t count, double* values) {
-  absorb<lane::Wide4>(depths, count, values);
-}
-ABBE_FOR_AVX512 void absorb_widest(double const* depths, std::size_t count, double* values) {
-  absorb<lane::Wide8>(depths, count, values);
-}
-Absorber const absorber =
-    geometry::for_registers<Absorber>(absorb<lane::Double4>, absorb_wide, absorb_widest);
-#else
-Absorber const absorber = absorb<lane::Double4>;
-#endif
+simd::Native<Absorb> const absorb;
 
 } // namespace
 
@@ -97,7 +84,7 @@ double transmittance(double optical_depth) {
 
 void absorb_lanes(double* depths, std::size_t count, double* values) {
   for (std::size_t i = count; i % 4 != 0; ++i) depths[i] = 0;
-  absorber(depths, count, values);
+  absorb(depths, count, values);
 }
 
 } // namespace abbe::render

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/camera.hpp"
 
-#include "geometry/lane.hpp"
-#include "geometry/registers.hpp"
+#include "simd/native.hpp"
 
 #include <algorithm>
 
 namespace abbe::render {
 
 namespace {
-
-namespace lane = geometry::lane;
 
 /// Where points of the picture are.
 struct PicturePoints {
@@ -55,31 +52,20 @@ void store(geometry::FanVectors& to, std::size_t at, lane::Vec<L> const& v) {
   lane::store(to.z + at, v.z);
 }
 
-template <class L>
-void fan_of(PicturePoints const& points, geometry::FanLines& rays) {
-  lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t k) {
-    lane::Vec<Lanes> origin, direction;
-    rays_at(points, k, origin, direction);
-    store(rays.origin, k, origin);
-    store(rays.direction, k, direction);
-    store(rays.origin_error, k, all<Lanes>(Vec3(0)));
-  });
-}
+struct FanOf {
+  template <class L>
+  static void run(PicturePoints const& points, geometry::FanLines& rays) {
+    lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t k) {
+      lane::Vec<Lanes> origin, direction;
+      rays_at(points, k, origin, direction);
+      store(rays.origin, k, origin);
+      store(rays.direction, k, direction);
+      store(rays.origin_error, k, all<Lanes>(Vec3(0)));
+    });
+  }
+};
 
-/// The function for the registers that the machine has.
-using Kernel = void (*)(PicturePoints const&, geometry::FanLines&);
-#if ABBE_HAS_WIDE_LANES
-ABBE_FOR_AVX2 void fan_of_wide(PicturePoints const& points, geometry::FanLines& rays) {
-  fan_of<lane::Wide4>(points, rays);
-}
-ABBE_FOR_AVX512 void fan_of_widest(PicturePoints const& points, geometry::FanLines& rays) {
-  fan_of<lane::Wide8>(points, rays);
-}
-Kernel const native =
-    geometry::for_registers<Kernel>(fan_of<lane::Double4>, fan_of_wide, fan_of_widest);
-#else
-Kernel const native = fan_of<lane::Double4>;
-#endif
+simd::Native<FanOf> const fan_of;
 
 } // namespace
 
@@ -95,7 +81,7 @@ geometry::Ray camera_ray(scene::Camera const& camera, double x, double y, int wi
 
 void camera_rays(scene::Camera const& camera, double const* x, double const* y, int width,
                  int height, geometry::FanLines& rays) {
-  native({camera, x, y, static_cast<double>(width), static_cast<double>(height)}, rays);
+  fan_of({camera, x, y, static_cast<double>(width), static_cast<double>(height)}, rays);
 }
 
 Footprint pixel_footprint(scene::Camera const& camera, int width, int height) {

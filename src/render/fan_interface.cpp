@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/fan_interface.hpp"
 
-#include "geometry/lane.hpp"
-#include "geometry/registers.hpp"
 #include "optics/refract.hpp"
+#include "simd/native.hpp"
 
 #include <algorithm>
 
 namespace abbe::render {
 namespace {
 
-namespace lane = geometry::lane;
 using geometry::FanVectors;
 
 template <class L>
@@ -57,75 +55,55 @@ void meet_at(FanVectors const& directions, FanInterface& face, std::size_t at) {
     store(face.refracted, at, lane::Vec<L>{t.x, t.y, t.z});
   }
 }
-template <bool Same, class L>
-void meet(FanVectors const& directions, std::size_t count, FanInterface& face) {
-  lane::in_lanes<L>(
-      count, [&]<class Lanes>(std::size_t at) { meet_at<Same, Lanes>(directions, face, at); });
-}
-
-template <class L>
-void meet_each(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes) {
-  Vec3 const cross = glm::cross(direction, normal);
-  double const sin2 = std::min(1.0, glm::dot(cross, cross));
-  lane::in_lanes<L>(lanes.count, [&]<class Lanes>(std::size_t at) {
-    auto const all = [](Vec3 const& v) {
-      return optics::Direction<Lanes>{Lanes(v.x), Lanes(v.y), Lanes(v.z)};
-    };
-    auto const n1 = lane::load<Lanes>(lanes.n1 + at), n2 = lane::load<Lanes>(lanes.n2 + at);
-    auto const f = optics::fresnel<Lanes>(n1, n2, n2 - n1, Lanes(cos_i), Lanes(sin2));
-    auto const t = optics::refracted<Lanes>(f, all(direction), all(normal));
-    lane::store(lanes.reflectance + at, f.reflectance);
-    lane::store(lanes.transmittance + at, f.transmittance);
-    lane::store(lanes.x + at, t.x);
-    lane::store(lanes.y + at, t.y);
-    lane::store(lanes.z + at, t.z);
-    constexpr std::size_t width = lane::width<Lanes>;
-    alignas(64) double total[width];
-    lane::store(total, lane::select(f.total, Lanes(1.0), Lanes(0.0)));
-    std::transform(total, total + width, lanes.total + at, [](double t_) { return t_ != 0; });
-  });
-}
-
-/// The functions for the registers that the machine has.
-struct Kernels {
-  void (*meet_same)(FanVectors const&, std::size_t, FanInterface&);
-  void (*meet_other)(FanVectors const&, std::size_t, FanInterface&);
-  void (*meet_each)(Vec3 const&, Vec3 const&, double, SplitLanes const&);
+template <bool Same>
+struct Meet {
+  template <class L>
+  static void run(FanVectors const& directions, std::size_t count, FanInterface& face) {
+    lane::in_lanes<L>(
+        count, [&]<class Lanes>(std::size_t at) { meet_at<Same, Lanes>(directions, face, at); });
+  }
 };
-using lane::Double4;
-constexpr Kernels narrow_kernels = {meet<true, Double4>, meet<false, Double4>, meet_each<Double4>};
-#if ABBE_HAS_WIDE_LANES
-using lane::Wide4, lane::Wide8;
-template <bool Same>
-ABBE_FOR_AVX2 void meet_wide(FanVectors const& directions, std::size_t count, FanInterface& face) {
-  meet<Same, Wide4>(directions, count, face);
-}
-template <bool Same>
-ABBE_FOR_AVX512 void meet_widest(FanVectors const& directions, std::size_t count,
-                                 FanInterface& face) {
-  meet<Same, Wide8>(directions, count, face);
-}
-ABBE_FOR_AVX2 void meet_each_wide(Vec3 const& direction, Vec3 const& normal, double cos_i,
-                                  SplitLanes const& lanes) {
-  meet_each<Wide4>(direction, normal, cos_i, lanes);
-}
-Kernels const native = geometry::for_registers<Kernels>(
-    narrow_kernels, {meet_wide<true>, meet_wide<false>, meet_each_wide},
-    {meet_widest<true>, meet_widest<false>, meet_each_wide});
-#else
-Kernels const native = narrow_kernels;
-#endif
+
+struct MeetEach {
+  template <class L>
+  static void run(Vec3 const& direction, Vec3 const& normal, double cos_i,
+                  SplitLanes const& lanes) {
+    Vec3 const cross = glm::cross(direction, normal);
+    double const sin2 = std::min(1.0, glm::dot(cross, cross));
+    lane::in_lanes<L>(lanes.count, [&]<class Lanes>(std::size_t at) {
+      auto const all = [](Vec3 const& v) {
+        return optics::Direction<Lanes>{Lanes(v.x), Lanes(v.y), Lanes(v.z)};
+      };
+      auto const n1 = lane::load<Lanes>(lanes.n1 + at), n2 = lane::load<Lanes>(lanes.n2 + at);
+      auto const f = optics::fresnel<Lanes>(n1, n2, n2 - n1, Lanes(cos_i), Lanes(sin2));
+      auto const t = optics::refracted<Lanes>(f, all(direction), all(normal));
+      lane::store(lanes.reflectance + at, f.reflectance);
+      lane::store(lanes.transmittance + at, f.transmittance);
+      lane::store(lanes.x + at, t.x);
+      lane::store(lanes.y + at, t.y);
+      lane::store(lanes.z + at, t.z);
+      constexpr std::size_t width = lane::width<Lanes>;
+      alignas(64) double total[width];
+      lane::store(total, lane::select(f.total, Lanes(1.0), Lanes(0.0)));
+      std::transform(total, total + width, lanes.total + at, [](double t_) { return t_ != 0; });
+    });
+  }
+};
+
+simd::Native<Meet<true>> const meet_same;
+simd::Native<Meet<false>> const meet_other;
+simd::Native<MeetEach, 4> const meet_each;
 
 } // namespace
 
 void meet_lanes(Vec3 const& direction, Vec3 const& normal, double cos_i, SplitLanes const& lanes) {
-  native.meet_each(direction, normal, cos_i, lanes);
+  meet_each(direction, normal, cos_i, lanes);
 }
 void meet_fan(FanVectors const& direction, std::size_t count, FanInterface& face) {
-  native.meet_other(direction, count, face);
+  meet_other(direction, count, face);
 }
 void meet_fan_unbent(FanVectors const& direction, std::size_t count, FanInterface& face) {
-  native.meet_same(direction, count, face);
+  meet_same(direction, count, face);
 }
 
 } // namespace abbe::render

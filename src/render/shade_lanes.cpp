@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/shade_lanes.hpp"
 
-#include "geometry/lane.hpp"
-#include "geometry/registers.hpp"
+#include "simd/native.hpp"
 
 namespace abbe::render {
 namespace {
 
-namespace lane = geometry::lane;
 using geometry::FanVectors;
 
 template <class L>
@@ -70,138 +68,106 @@ void in_rays(ShadedLanes const& lanes, Work const& work) {
   }
 }
 
-template <class L>
-void aim_at(CompiledLight const& light, FanVectors const& points, FanVectors const& normals,
-            std::size_t count, Aim& out) {
-  bool const parallel = light.kind == scene::Light::Kind::Parallel;
-  lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
-    lane::Vec<Lanes> const point = load<Lanes>(points, k), place = all<Lanes>(light.position);
-    lane::Vec<Lanes> direction;
-    Lanes distance;
-    if (parallel) {
-      distance = lane::dot(point - place, all<Lanes>(light.direction));
-      direction = all<Lanes>(-light.direction);
-    } else {
-      lane::Vec<Lanes> const way = place - point;
-      distance = lane::sqrt(lane::dot(way, way));
-      direction = {way.x / distance, way.y / distance, way.z / distance};
-    }
-    lane::store(out.distance + k, distance);
-    lane::store(out.direction.x + k, direction.x);
-    lane::store(out.direction.y + k, direction.y);
-    lane::store(out.direction.z + k, direction.z);
-    lane::store(out.cosine + k, lane::dot(load<Lanes>(normals, k), direction));
-  });
-}
-
-template <class L>
-void light(LitQuery const& query, std::size_t count, LitSurface& out) {
-  lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
-    Lanes const zero(0.0);
-    Lanes const cosine = lane::load<Lanes>(query.aim->cosine + k);
-    Lanes const amount = lane::select(zero < cosine, Lanes(query.front), Lanes(query.back));
-    lane::store(out.diffuse + k, lane::load<Lanes>(query.opaque + k) * amount * lane::abs(cosine));
-    if (!query.mirrored && !query.half) return;
-    lane::Vec<Lanes> const view = load<Lanes>(*query.view, k),
-                           normal = load<Lanes>(*query.normal, k),
-                           way = load<Lanes>(query.aim->direction, k);
-    if (query.mirrored) {
-      Lanes const twice = Lanes(2.0) * lane::dot(view, normal);
-      lane::Vec<Lanes> const mirrored{view.x - normal.x * twice, view.y - normal.y * twice,
-                                      view.z - normal.z * twice};
-      lane::store(out.mirrored + k, lane::dot(mirrored, way));
-    }
-    if (query.half) {
-      lane::Vec<Lanes> const half = way - view;
-      Lanes const length = lane::sqrt(lane::dot(half, half));
-      lane::store(out.half + k,
-                  lane::select(zero < length, lane::dot(normal, half) / length, zero));
-    }
-  });
-}
-
-template <class L>
-void gloss(ShadedLanes const& lanes, Gloss const& lit, double* out) {
-  in_rays<L>(lanes, [&]<class Lanes>(std::size_t k, auto const& of_ray, auto const& of_channel) {
-    auto const of = [k](double const* values) { return lane::load<Lanes>(values + k); };
-    Lanes const colour = of(lanes.colour);
-    Lanes arriving = of_channel(lit.light);
-    if (lit.strength != nullptr) arriving = arriving * of_ray(lit.strength);
-    if (lit.left != nullptr) arriving = arriving * of(lit.left);
-    Lanes returned = colour * of_ray(lit.diffuse);
-    if (lit.shine != nullptr) {
-      Lanes shine = of_ray(lit.shine);
-      if (lit.tint != nullptr) {
-        Lanes const one(1.0);
-        shine = shine * (one + of_ray(lit.tint) * (colour - one));
+struct AimAt {
+  template <class L>
+  static void run(CompiledLight const& light, FanVectors const& points, FanVectors const& normals,
+                  std::size_t count, Aim& out) {
+    bool const parallel = light.kind == scene::Light::Kind::Parallel;
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
+      lane::Vec<Lanes> const point = load<Lanes>(points, k), place = all<Lanes>(light.position);
+      lane::Vec<Lanes> direction;
+      Lanes distance;
+      if (parallel) {
+        distance = lane::dot(point - place, all<Lanes>(light.direction));
+        direction = all<Lanes>(-light.direction);
+      } else {
+        lane::Vec<Lanes> const way = place - point;
+        distance = lane::sqrt(lane::dot(way, way));
+        direction = {way.x / distance, way.y / distance, way.z / distance};
       }
-      returned = returned + shine;
-    }
-    lane::store(out + k, of(lanes.throughput) * of(lanes.passed) * arriving * returned);
-  });
-}
-
-template <class L>
-void glow(ShadedLanes const& lanes, ChannelValues own, double const* opaque, double* out) {
-  in_rays<L>(lanes, [&]<class Lanes>(std::size_t k, auto const& of_ray, auto const& of_channel) {
-    auto const of = [k](double const* values) { return lane::load<Lanes>(values + k); };
-    lane::store(out + k, of(lanes.throughput) * of(lanes.passed) * of(lanes.colour) * of_ray(opaque)
-                             * of_channel(own));
-  });
-}
-
-/// The functions for the registers that the machine has.
-struct Kernels {
-  void (*aim)(CompiledLight const&, FanVectors const&, FanVectors const&, std::size_t, Aim&);
-  void (*light)(LitQuery const&, std::size_t, LitSurface&);
-  void (*gloss)(ShadedLanes const&, Gloss const&, double*);
-  void (*glow)(ShadedLanes const&, ChannelValues, double const*, double*);
+      lane::store(out.distance + k, distance);
+      lane::store(out.direction.x + k, direction.x);
+      lane::store(out.direction.y + k, direction.y);
+      lane::store(out.direction.z + k, direction.z);
+      lane::store(out.cosine + k, lane::dot(load<Lanes>(normals, k), direction));
+    });
+  }
 };
-using lane::Double4;
-constexpr Kernels narrow_kernels = {aim_at<Double4>, light<Double4>, gloss<Double4>, glow<Double4>};
-#if ABBE_HAS_WIDE_LANES
-using lane::Wide4, lane::Wide8;
-ABBE_FOR_AVX2 void aim_wide(CompiledLight const& lamp, FanVectors const& points,
-                            FanVectors const& normals, std::size_t count, Aim& out) {
-  aim_at<Wide4>(lamp, points, normals, count, out);
-}
-ABBE_FOR_AVX512 void aim_widest(CompiledLight const& lamp, FanVectors const& points,
-                                FanVectors const& normals, std::size_t count, Aim& out) {
-  aim_at<Wide8>(lamp, points, normals, count, out);
-}
-ABBE_FOR_AVX2 void light_wide(LitQuery const& query, std::size_t count, LitSurface& out) {
-  light<Wide4>(query, count, out);
-}
-ABBE_FOR_AVX512 void light_widest(LitQuery const& query, std::size_t count, LitSurface& out) {
-  light<Wide8>(query, count, out);
-}
-ABBE_FOR_AVX2 void gloss_wide(ShadedLanes const& lanes, Gloss const& lit, double* out) {
-  gloss<Wide4>(lanes, lit, out);
-}
-ABBE_FOR_AVX512 void gloss_widest(ShadedLanes const& lanes, Gloss const& lit, double* out) {
-  gloss<Wide8>(lanes, lit, out);
-}
-ABBE_FOR_AVX2 void glow_wide(ShadedLanes const& lanes, ChannelValues own, double const* opaque,
-                             double* out) {
-  glow<Wide4>(lanes, own, opaque, out);
-}
-ABBE_FOR_AVX512 void glow_widest(ShadedLanes const& lanes, ChannelValues own, double const* opaque,
-                                 double* out) {
-  glow<Wide8>(lanes, own, opaque, out);
-}
-Kernels const native =
-    geometry::for_registers<Kernels>(narrow_kernels, {aim_wide, light_wide, gloss_wide, glow_wide},
-                                     {aim_widest, light_widest, gloss_widest, glow_widest});
-#else
-Kernels const native = narrow_kernels;
-#endif
+
+struct LightSurfaces {
+  template <class L>
+  static void run(LitQuery const& query, std::size_t count, LitSurface& out) {
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
+      Lanes const zero(0.0);
+      Lanes const cosine = lane::load<Lanes>(query.aim->cosine + k);
+      Lanes const amount = lane::select(zero < cosine, Lanes(query.front), Lanes(query.back));
+      lane::store(out.diffuse + k,
+                  lane::load<Lanes>(query.opaque + k) * amount * lane::abs(cosine));
+      if (!query.mirrored && !query.half) return;
+      lane::Vec<Lanes> const view = load<Lanes>(*query.view, k),
+                             normal = load<Lanes>(*query.normal, k),
+                             way = load<Lanes>(query.aim->direction, k);
+      if (query.mirrored) {
+        Lanes const twice = Lanes(2.0) * lane::dot(view, normal);
+        lane::Vec<Lanes> const mirrored{view.x - normal.x * twice, view.y - normal.y * twice,
+                                        view.z - normal.z * twice};
+        lane::store(out.mirrored + k, lane::dot(mirrored, way));
+      }
+      if (query.half) {
+        lane::Vec<Lanes> const half = way - view;
+        Lanes const length = lane::sqrt(lane::dot(half, half));
+        lane::store(out.half + k,
+                    lane::select(zero < length, lane::dot(normal, half) / length, zero));
+      }
+    });
+  }
+};
+
+struct FindGloss {
+  template <class L>
+  static void run(ShadedLanes const& lanes, Gloss const& lit, double* out) {
+    in_rays<L>(lanes, [&]<class Lanes>(std::size_t k, auto const& of_ray, auto const& of_channel) {
+      auto const of = [k](double const* values) { return lane::load<Lanes>(values + k); };
+      Lanes const colour = of(lanes.colour);
+      Lanes arriving = of_channel(lit.light);
+      if (lit.strength != nullptr) arriving = arriving * of_ray(lit.strength);
+      if (lit.left != nullptr) arriving = arriving * of(lit.left);
+      Lanes returned = colour * of_ray(lit.diffuse);
+      if (lit.shine != nullptr) {
+        Lanes shine = of_ray(lit.shine);
+        if (lit.tint != nullptr) {
+          Lanes const one(1.0);
+          shine = shine * (one + of_ray(lit.tint) * (colour - one));
+        }
+        returned = returned + shine;
+      }
+      lane::store(out + k, of(lanes.throughput) * of(lanes.passed) * arriving * returned);
+    });
+  }
+};
+
+struct FindGlow {
+  template <class L>
+  static void run(ShadedLanes const& lanes, ChannelValues own, double const* opaque, double* out) {
+    in_rays<L>(lanes, [&]<class Lanes>(std::size_t k, auto const& of_ray, auto const& of_channel) {
+      auto const of = [k](double const* values) { return lane::load<Lanes>(values + k); };
+      lane::store(out + k, of(lanes.throughput) * of(lanes.passed) * of(lanes.colour)
+                               * of_ray(opaque) * of_channel(own));
+    });
+  }
+};
+
+simd::Native<AimAt> const aim_at;
+simd::Native<LightSurfaces> const light;
+simd::Native<FindGloss> const gloss;
+simd::Native<FindGlow> const glow;
 
 } // namespace
 
-void aim(CompiledLight const& light, FanVectors const& points, FanVectors const& normals,
+void aim(CompiledLight const& lamp, FanVectors const& points, FanVectors const& normals,
          std::size_t count, Aim& out) {
-  native.aim(light, points, normals, count, out);
-  bool const parallel = light.kind == scene::Light::Kind::Parallel;
+  aim_at(lamp, points, normals, count, out);
+  bool const parallel = lamp.kind == scene::Light::Kind::Parallel;
   out.comes = 0;
   for (std::size_t k = 0; k < count; ++k) {
     // Not in the lamp. Parallel light is everywhere, as in POV-Ray: behind the lamp's plane, where
@@ -212,13 +178,13 @@ void aim(CompiledLight const& light, FanVectors const& points, FanVectors const&
 }
 
 void light_surfaces(LitQuery const& query, std::size_t count, LitSurface& out) {
-  native.light(query, count, out);
+  light(query, count, out);
 }
 void find_gloss(ShadedLanes const& lanes, Gloss const& lit, double* out) {
-  native.gloss(lanes, lit, out);
+  gloss(lanes, lit, out);
 }
 void find_glow(ShadedLanes const& lanes, ChannelValues own, double const* opaque, double* out) {
-  native.glow(lanes, own, opaque, out);
+  glow(lanes, own, opaque, out);
 }
 
 } // namespace abbe::render

@@ -17,17 +17,18 @@ import sys
 # What each folder may include besides itself: the direction of data through the house.
 MAY_INCLUDE = {
     'base': set(),
+    'simd': {'base'},
     'grammar': {'base'},
-    'optics': {'base'},
-    'geometry': {'base'},
-    'texture': {'base'},
+    'optics': {'base', 'simd'},
+    'geometry': {'base', 'simd'},
+    'texture': {'base', 'simd'},
     'image': {'base'},
-    'scene': {'base', 'optics', 'geometry', 'texture'},
-    'lang': {'base', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
-    'plan': {'base', 'optics', 'geometry', 'texture', 'scene', 'image'},
-    'surface': {'base', 'geometry', 'texture', 'scene'},
-    'render': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'image'},
-    'study': {'base', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
+    'scene': {'base', 'simd', 'optics', 'geometry', 'texture'},
+    'lang': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
+    'plan': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'image'},
+    'surface': {'base', 'simd', 'geometry', 'texture', 'scene'},
+    'render': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'image'},
+    'study': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
 }
 MAY_INCLUDE['cli'] = set(MAY_INCLUDE)
 

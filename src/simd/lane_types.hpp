@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/vec.hpp"
-
 #include <cmath>
 
 #if defined(__SSE2__)
@@ -13,7 +11,7 @@
 /// once as a template over the lane type L and uses only the operators + - * / < <= and the
 /// functions below, so that four lanes give the same bits as four calls with doubles. There are no
 /// branches on values in a kernel but those on none(): use select().
-namespace abbe::geometry::lane {
+namespace abbe::simd {
 
 inline bool both(bool a, bool b) {
   return a && b;
@@ -93,7 +91,6 @@ inline Mask4 either(Mask4 const& a, Mask4 const& b) {
 inline Mask4 negate(Mask4 const& a) {
   return {~a.low, ~a.high};
 }
-/// The words of optics/lane.hpp for the same.
 inline Mask4 operator&(Mask4 const& a, Mask4 const& b) {
   return both(a, b);
 }
@@ -162,4 +159,4 @@ inline double get(Double4 const& a, int i) {
   return i < 2 ? a.low[i] : a.high[i - 2];
 }
 
-} // namespace abbe::geometry::lane
+} // namespace abbe::simd

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane_types.hpp"
-#include "geometry/wide_lane.hpp"
+#include "simd/lane_types.hpp"
+#include "simd/wide_lane.hpp"
 
 #include <cstddef>
 
 /// What the kernels compute with, for any lane type.
-namespace abbe::geometry::lane {
+namespace abbe::simd {
 
 /// Doubles side by side.
 template <class L>
@@ -36,7 +36,7 @@ template <class L>
 L max(L const& a, L const& b) {
   return select(a < b, b, a);
 }
-/// Of the four.
+/// The smallest of lanes 0 to 3.
 template <class L>
 double least(L const& v) {
   return min(min(get(v, 0), get(v, 1)), min(get(v, 2), get(v, 3)));
@@ -69,7 +69,7 @@ struct Vec {
 };
 template <class L>
 Vec<L> abs(Vec<L> const& a) {
-  return {lane::abs(a.x), lane::abs(a.y), lane::abs(a.z)};
+  return {simd::abs(a.x), simd::abs(a.y), simd::abs(a.z)};
 }
 template <class L>
 L dot(Vec<L> const& a, Vec<L> const& b) {
@@ -80,4 +80,8 @@ L sum(Vec<L> const& a) {
   return a.x + a.y + a.z;
 }
 
-} // namespace abbe::geometry::lane
+} // namespace abbe::simd
+
+namespace abbe {
+namespace lane = simd; // what kernels call it
+}

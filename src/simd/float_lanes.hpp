@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane.hpp"
+#include "simd/lane.hpp"
 
 #include <algorithm>
 
 /// Eight floats side by side, for what only has to be told apart: bounds, never results. The words
 /// are those of lane_types.hpp.
-namespace abbe::geometry::lane {
+namespace abbe::simd {
 
 /// In two SSE registers.
 struct Float8 {
@@ -110,4 +110,4 @@ struct FloatsOf<Wide8> {
 };
 #endif
 
-} // namespace abbe::geometry::lane
+} // namespace abbe::simd

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/wide_lane.hpp"
+#include "simd/wide_lane.hpp"
 
 #include <cstdlib>
 #include <string_view>
 
-namespace abbe::geometry {
+namespace abbe::simd {
 
 /// What kernels are compiled for.
 enum class Registers { Baseline, Avx2, Avx512 };
@@ -43,4 +43,4 @@ Kernels for_registers(Kernels baseline, Kernels avx2, Kernels avx512) {
   return baseline;
 }
 
-} // namespace abbe::geometry
+} // namespace abbe::simd

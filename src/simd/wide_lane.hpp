@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/lane_types.hpp"
+#include "simd/lane_types.hpp"
 
 /// Four and eight doubles in one register, for code that is compiled for AVX2 or AVX-512
-/// (ABBE_FOR_AVX2, ABBE_FOR_AVX512) and chosen at run time. The same operations as lane::Double4,
+/// (simd/native.hpp) and chosen at run time. The same operations as simd::Double4,
 /// so the same bits. (Not with clang, which refuses such registers in code that is not all for
 /// them.)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -19,7 +19,7 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi" // passed by value only where it is inlined
 
-namespace abbe::geometry::lane {
+namespace abbe::simd {
 
 struct WideMask4;
 struct Wide4 {
@@ -63,7 +63,6 @@ inline WideMask4 either(WideMask4 const& a, WideMask4 const& b) {
 inline WideMask4 negate(WideMask4 const& a) {
   return {~a.v};
 }
-/// The words of optics/lane.hpp for the same.
 inline WideMask4 operator&(WideMask4 const& a, WideMask4 const& b) {
   return both(a, b);
 }
@@ -170,6 +169,6 @@ inline double get(Wide8 const& a, int i) {
   return a.v[i];
 }
 
-} // namespace abbe::geometry::lane
+} // namespace abbe::simd
 #pragma GCC diagnostic pop
 #endif
