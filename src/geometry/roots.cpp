@@ -3,6 +3,7 @@
 
 #include "geometry/bernstein.hpp"
 #include "geometry/shapes/bracket.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <span>
@@ -127,7 +128,7 @@ bool renew(Place<N>& place, Piece<N> const& piece, bool small, Polynomial<N>& ou
     double const high = rounded(low) + width;
     for (int i = n; i >= 0; --i)
       size = size * high + std::fabs(rounded(place.whole.c[static_cast<std::size_t>(i)]));
-    double const given = place.whole.error * std::max(1.0, std::pow(high, n));
+    double const given = place.whole.error * std::max(1.0, simd::pow(high, static_cast<double>(n)));
     double const error = given + 8 * (n + 1) * roundoff<N> * size;
     if (!small && !(error < 0.25 * piece.error)) return false;
     out = shifted(place.whole, low, width, size);
@@ -263,7 +264,7 @@ int exponent_of_roots(Polynomial<Twofold> const& f) {
 
 double root_uncertainty(double error, double slope, double bend, double third) {
   if (!(error > 0)) return 0;
-  double const triple = std::cbrt(4 * error * error * std::fabs(third));
+  double const triple = simd::cbrt(4 * error * error * std::fabs(third));
   double const steep =
       std::max(std::max(std::fabs(slope), std::sqrt(2 * std::fabs(bend) * error)), triple);
   return 2 * error / steep;
@@ -326,7 +327,7 @@ void line_roots(Polynomial<Twofold> f, PieceMaker const& make, PolynomialRoots& 
       auto const k = static_cast<std::size_t>(i);
       g.c[k] = Twofold(std::ldexp(1.0, exponent * i)) * f.c[k];
     }
-    g.error = f.error * std::max(1.0, std::pow(unit, f.degree));
+    g.error = f.error * std::max(1.0, simd::pow(unit, static_cast<double>(f.degree)));
   }
   int const zero = sign_of(g.c[0], 0);
   for (bool const mirror : {true, false}) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/transform.hpp"
 
+#include "simd/math.hpp"
+
 #include <cmath>
 
 namespace abbe::geometry {
@@ -84,7 +86,7 @@ Turn turn(double degrees) {
   // What the angle is off by, and a unit in the last place of values of at most 1.
   double const off =
       std::fma(-180.0, angle_rad, product) + std::fma(rest, pi, -product) + rest * pi_rest;
-  return {std::sin(angle_rad), std::cos(angle_rad),
+  return {simd::sin(angle_rad), simd::cos(angle_rad),
           upward * (std::fabs(off) / 180.0 + unit_roundoff)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
 #include "lang/unsupported.hpp"
+#include "simd/math.hpp"
 
 #include <fmt/format.h>
 
@@ -121,7 +122,7 @@ void work_in(Reader& in, Draft& draft) {
     return fail(in, draft, "the camera's right, up and direction must not be zero");
   if (draft.angle_deg.value_or(0) > 0) {
     double const half_rad = *draft.angle_deg / 2 * (std::numbers::pi / 180);
-    camera.direction *= right / (2 * std::tan(half_rad)) / direction;
+    camera.direction *= right / (2 * simd::tan(half_rad)) / direction;
   }
   if (draft.look_at) aim(in, draft);
   if (camera.kind == Camera::Kind::Orthographic && (!draft.frame_given || draft.angle_deg)) {

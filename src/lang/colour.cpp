@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "simd/math.hpp"
 
 #include <fmt/format.h>
 
@@ -30,9 +31,9 @@ constexpr VectorForm vector_forms[] = {
 double from_srgb(double encoded, scene::Settings const& settings) {
   if (settings.assumed_gamma_srgb) return encoded;
   double const linear =
-      encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+      encoded <= 0.04045 ? encoded / 12.92 : simd::pow((encoded + 0.055) / 1.055, 2.4);
   double const gamma = settings.assumed_gamma.value_or(1);
-  return gamma == 1 || linear <= 0 ? linear : std::pow(linear, 1 / gamma);
+  return gamma == 1 || linear <= 0 ? linear : simd::pow(linear, 1 / gamma);
 }
 
 /// Missing components are zero, except that a lone number stands for as many as `replicate`.

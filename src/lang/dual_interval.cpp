@@ -2,6 +2,7 @@
 #include "lang/dual_interval.hpp"
 
 #include "lang/float_functions.hpp"
+#include "simd/math.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,17 +14,18 @@ namespace abbe::lang {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int library = 4; ///< units in the last place that library functions may be off by
+/// Units in the last place that functions of simd/math.hpp may be off by.
+constexpr int library = 4, library_power = 17;
 
 Interval const everything = Interval::everything();
 
 template <class F>
-Interval rising(F const& f, Interval const& x) {
-  return widened(f(x.low), f(x.high), library);
+Interval rising(F const& f, Interval const& x, int off = library) {
+  return widened(f(x.low), f(x.high), off);
 }
 template <class F>
-Interval falling(F const& f, Interval const& x) {
-  return widened(f(x.high), f(x.low), library);
+Interval falling(F const& f, Interval const& x, int off = library) {
+  return widened(f(x.high), f(x.low), off);
 }
 double sqrt_of(double x) {
   return std::sqrt(x);
@@ -43,7 +45,7 @@ bool meets(Interval const& x, double phase) {
 }
 Interval sine(Interval const& x) {
   if (!(x.size() < 1e12) || x.width() >= 2 * pi) return {-1, 1};
-  double const a = std::sin(x.low), b = std::sin(x.high);
+  double const a = simd::sin(x.low), b = simd::sin(x.high);
   Interval result = widened(std::min(a, b), std::max(a, b), library);
   if (meets(x, pi / 2)) result.high = 1;
   if (meets(x, -pi / 2)) result.low = -1;
@@ -51,26 +53,28 @@ Interval sine(Interval const& x) {
 }
 Interval cosine(Interval const& x) {
   if (!(x.size() < 1e12) || x.width() >= 2 * pi) return {-1, 1};
-  double const a = std::cos(x.low), b = std::cos(x.high);
+  double const a = simd::cos(x.low), b = simd::cos(x.high);
   Interval result = widened(std::min(a, b), std::max(a, b), library);
   if (meets(x, 0)) result.high = 1;
   if (meets(x, pi)) result.low = -1;
   return result;
 }
 Interval cosine_h(Interval const& x) {
-  return rising([](double v) { return std::cosh(v); }, abs(x));
+  return rising([](double v) { return simd::cosh(v); }, abs(x));
 }
 
 /// x^n for a whole n; x^y else, where x >= 0.
 Interval power(Interval const& x, double n) {
-  auto const f = [n](double v) { return std::pow(v, n); };
+  auto const f = [n](double v) { return simd::pow(v, n); };
   if (n == 0) return 1;
   bool const whole = n == std::trunc(n);
   if (whole && n < 0 && x.low <= 0 && x.high >= 0) return everything;
   if (whole && std::fmod(n, 2) != 0)
-    return n > 0 || x.low > 0 || x.high < 0 ? (n > 0 ? rising(f, x) : falling(f, x)) : everything;
+    return n > 0 || x.low > 0 || x.high < 0
+               ? (n > 0 ? rising(f, x, library_power) : falling(f, x, library_power))
+               : everything;
   Interval const size = whole ? abs(x) : within(x, 0, std::numeric_limits<double>::infinity());
-  return n > 0 ? rising(f, size) : falling(f, size);
+  return n > 0 ? rising(f, size, library_power) : falling(f, size, library_power);
 }
 
 Dual abs_of(Dual const& a, Dual const&) {
@@ -81,12 +85,12 @@ Dual abs_of(Dual const& a, Dual const&) {
 Dual acos_of(Dual const& a, Dual const&) {
   Interval const x = within(a.v, -1, 1);
   Interval const root = rising(sqrt_of, within(Interval(1) - square(x), 0, 1));
-  return {falling([](double v) { return std::acos(v); }, x), -(a.d / root)};
+  return {falling([](double v) { return simd::acos(v); }, x), -(a.d / root)};
 }
 Dual asin_of(Dual const& a, Dual const&) {
   Interval const x = within(a.v, -1, 1);
   Interval const root = rising(sqrt_of, within(Interval(1) - square(x), 0, 1));
-  return {rising([](double v) { return std::asin(v); }, x), a.d / root};
+  return {rising([](double v) { return simd::asin(v); }, x), a.d / root};
 }
 Dual acosh_of(Dual const& a, Dual const&) {
   Interval const x = within(a.v, 1, everything.high);
@@ -98,14 +102,14 @@ Dual asinh_of(Dual const& a, Dual const&) {
           a.d / rising(sqrt_of, square(a.v) + Interval(1))};
 }
 Dual atan_of(Dual const& a, Dual const&) {
-  return {rising([](double v) { return std::atan(v); }, a.v), a.d / (square(a.v) + Interval(1))};
+  return {rising([](double v) { return simd::atan(v); }, a.v), a.d / (square(a.v) + Interval(1))};
 }
 Dual atanh_of(Dual const& a, Dual const&) {
   Interval const x = within(a.v, -1, 1);
   return {rising([](double v) { return std::atanh(v); }, x), a.d / (Interval(1) - square(x))};
 }
 Dual atan2_of(Dual const& y, Dual const& x) {
-  auto const arc = [](double v) { return std::atan(v); };
+  auto const arc = [](double v) { return simd::atan(v); };
   Interval const slope = (x.v * y.d - y.v * x.d) / (square(x.v) + square(y.v));
   if (x.v.low > 0) return {rising(arc, y.v / x.v), slope};
   Interval const quarter = widened(pi / 2, pi / 2);
@@ -127,21 +131,21 @@ Dual sin_of(Dual const& a, Dual const&) {
 Dual tan_of(Dual const& a, Dual const&) {
   if (!(a.v.width() < pi) || !(a.v.size() < 1e12) || meets(a.v, pi / 2) || meets(a.v, -pi / 2))
     return {everything, everything};
-  Interval const v = rising([](double x) { return std::tan(x); }, a.v);
+  Interval const v = rising([](double x) { return simd::tan(x); }, a.v);
   return {v, (square(v) + Interval(1)) * a.d};
 }
 Dual cosh_of(Dual const& a, Dual const&) {
-  return {cosine_h(a.v), rising([](double v) { return std::sinh(v); }, a.v) * a.d};
+  return {cosine_h(a.v), rising([](double v) { return simd::sinh(v); }, a.v) * a.d};
 }
 Dual sinh_of(Dual const& a, Dual const&) {
-  return {rising([](double v) { return std::sinh(v); }, a.v), cosine_h(a.v) * a.d};
+  return {rising([](double v) { return simd::sinh(v); }, a.v), cosine_h(a.v) * a.d};
 }
 Dual tanh_of(Dual const& a, Dual const&) {
-  Interval const v = rising([](double x) { return std::tanh(x); }, a.v);
+  Interval const v = rising([](double x) { return simd::tanh(x); }, a.v);
   return {v, (Interval(1) - square(v)) * a.d};
 }
 Dual exp_of(Dual const& a, Dual const&) {
-  Interval const v = rising([](double x) { return std::exp(x); }, a.v);
+  Interval const v = rising([](double x) { return simd::exp(x); }, a.v);
   return {v, v * a.d};
 }
 template <double (*log)(double)>

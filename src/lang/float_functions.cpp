@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lang/float_functions.hpp"
 
+#include "simd/math.hpp"
+
 #include <cmath>
 #include <cstdint>
 
@@ -11,31 +13,31 @@ constexpr double pi = 3.14159265358979323846;
 
 constexpr FloatFunction table[] = {
     {"abs", 1, [](double a, double) { return std::abs(a); }},
-    {"acos", 1, [](double a, double) { return std::acos(a); }},
+    {"acos", 1, [](double a, double) { return simd::acos(a); }},
     {"acosh", 1, [](double a, double) { return std::acosh(a); }},
-    {"asin", 1, [](double a, double) { return std::asin(a); }},
+    {"asin", 1, [](double a, double) { return simd::asin(a); }},
     {"asinh", 1, [](double a, double) { return std::asinh(a); }},
-    {"atan", 1, [](double a, double) { return std::atan(a); }},
-    {"atan2", 2, [](double a, double b) { return std::atan2(a, b); }},
+    {"atan", 1, [](double a, double) { return simd::atan(a); }},
+    {"atan2", 2, [](double a, double b) { return simd::atan2(a, b); }},
     {"atanh", 1, [](double a, double) { return std::atanh(a); }},
     {"ceil", 1, [](double a, double) { return std::ceil(a); }},
-    {"cos", 1, [](double a, double) { return std::cos(a); }},
-    {"cosh", 1, [](double a, double) { return std::cosh(a); }},
+    {"cos", 1, [](double a, double) { return simd::cos(a); }},
+    {"cosh", 1, [](double a, double) { return simd::cosh(a); }},
     {"degrees", 1, [](double a, double) { return a * (180 / pi); }},
-    {"exp", 1, [](double a, double) { return std::exp(a); }},
+    {"exp", 1, [](double a, double) { return simd::exp(a); }},
     {"floor", 1, [](double a, double) { return std::floor(a); }},
     {"int", 1, [](double a, double) { return std::trunc(a) + 0.0; }}, // no -0
-    {"ln", 1, [](double a, double) { return std::log(a); }},
-    {"log", 1, [](double a, double) { return std::log10(a); }},
+    {"ln", 1, [](double a, double) { return simd::log(a); }},
+    {"log", 1, [](double a, double) { return simd::log10(a); }},
     {"mod", 2, [](double a, double b) { return std::fmod(a, b); }},
-    {"pow", 2, [](double a, double b) { return std::pow(a, b); }},
+    {"pow", 2, [](double a, double b) { return simd::pow(a, b); }},
     {"radians", 1, [](double a, double) { return a * (pi / 180); }},
-    {"sin", 1, [](double a, double) { return std::sin(a); }},
-    {"sinh", 1, [](double a, double) { return std::sinh(a); }},
+    {"sin", 1, [](double a, double) { return simd::sin(a); }},
+    {"sinh", 1, [](double a, double) { return simd::sinh(a); }},
     {"sqr", 1, [](double a, double) { return a * a; }},
     {"sqrt", 1, [](double a, double) { return std::sqrt(a); }},
-    {"tan", 1, [](double a, double) { return std::tan(a); }},
-    {"tanh", 1, [](double a, double) { return std::tanh(a); }},
+    {"tan", 1, [](double a, double) { return simd::tan(a); }},
+    {"tanh", 1, [](double a, double) { return simd::tanh(a); }},
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "optics/glass.hpp"
 
 #include "optics/bands.hpp"
+#include "simd/math.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ struct Evaluate {
   double operator()(GlassFormula const& m) const { return m.index(lambda_nm); }
   double operator()(TabulatedIndex const& m) const { return m.curve(lambda_nm / 1000); }
   double operator()(PovIndex const& m) const {
-    return m.ior * std::pow(m.dispersion, (pov_center_nm - lambda_nm) / pov_span_nm);
+    return m.ior * simd::pow(m.dispersion, (pov_center_nm - lambda_nm) / pov_span_nm);
   }
 };
 

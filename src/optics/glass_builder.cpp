@@ -2,6 +2,7 @@
 #include "optics/glass_builder.hpp"
 
 #include "optics/bands.hpp"
+#include "simd/math.hpp"
 
 #include <fmt/format.h>
 
@@ -146,7 +147,7 @@ GlassBuilder& GlassBuilder::transmittance(std::vector<Transmittance> const& rows
   }
   std::vector<Pair> nm_per_mm;
   for (auto const& [um, tau, mm] : rows)
-    nm_per_mm.push_back({um * 1000, -std::log(tau > 0 ? tau : zero) / mm});
+    nm_per_mm.push_back({um * 1000, -simd::log(tau > 0 ? tau : zero) / mm});
   return absorption(std::move(nm_per_mm));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "optics/glass_formula.hpp"
 
+#include "simd/math.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +15,7 @@ constexpr double herzberger_pole_um2 = 0.028;
 /// w^p; catalogue exponents are small whole numbers almost always.
 double power(double w, double p) {
   double const whole = std::nearbyint(p);
-  if (whole != p || std::abs(p) > 64) return std::pow(w, p);
+  if (whole != p || std::abs(p) > 64) return simd::pow(w, p);
   unsigned n = static_cast<unsigned>(std::abs(whole));
   double result = 1;
   for (double square = w; n != 0; n >>= 1, square *= square)

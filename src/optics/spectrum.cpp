@@ -3,6 +3,7 @@
 
 #include "optics/cie_table.hpp"
 #include "optics/color.hpp"
+#include "simd/math.hpp"
 
 #include <fmt/format.h>
 
@@ -46,8 +47,8 @@ std::vector<double> knots_of(std::vector<Pair> const& rows) {
 double planck(double lambda_nm, double temperature_k) {
   double const x = planck_c2_nm_k / (lambda_nm * temperature_k);
   double const x_ref = planck_c2_nm_k / (cie_last_nm * temperature_k);
-  return std::pow(cie_last_nm / lambda_nm, 5) * std::exp(x_ref - x)
-         * (std::expm1(-x_ref) / std::expm1(-x));
+  return simd::pow(cie_last_nm / lambda_nm, 5.0) * simd::exp(x_ref - x)
+         * (simd::expm1(-x_ref) / simd::expm1(-x));
 }
 
 Bands const& whole_range() {

@@ -2,6 +2,7 @@
 #include "plan/working_space.hpp"
 
 #include "image/colour.hpp"
+#include "simd/math.hpp"
 
 #include <cmath>
 
@@ -23,7 +24,7 @@ double WorkingSpace::to_linear(double value) const {
   case Kind::Linear:
     return value;
   case Kind::Power:
-    return std::copysign(std::pow(size, gamma_), value);
+    return std::copysign(simd::pow(size, gamma_), value);
   case Kind::Srgb:
     return std::copysign(image::srgb_decode(size), value);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_objects.hpp"
 #include "render/media_compiler.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace abbe::render {
 namespace {
 
 double cos_degrees(double degrees) {
-  return std::cos(degrees * std::numbers::pi / 180);
+  return simd::cos(degrees * std::numbers::pi / 180);
 }
 
 CompiledLight compile_light(scene::Light const& light, Vec3 const& eye, ColourCompiler& colours) {
@@ -91,7 +92,7 @@ double brightest(Stage const& stage) {
       double const most = std::max({largest(reflection->minimum), largest(reflection->maximum),
                                     reflection->metal_n.empty() ? 0.0 : 1.0});
       next = std::max(next, pigment * own_light(finish, lamps)
-                                + most * std::pow(bound, reflection->exponent));
+                                + most * simd::pow(bound, reflection->exponent));
     }
     if (!(next > bound)) break;
     bound = next;

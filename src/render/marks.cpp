@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "render/marks.hpp"
 
+#include "simd/math.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace abbe::render {
 
 double as_seen(double light) {
-  return std::pow(std::clamp(light, 0.0, 1.0), 1 / 2.5);
+  return simd::pow(std::clamp(light, 0.0, 1.0), 1 / 2.5);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/shader.hpp"
 
+#include "simd/math.hpp"
 #include "surface/pigment.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace abbe::render {
 
 double metallic_falloff(double cosine) {
-  double const x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
+  double const x = simd::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
   double const d = x - 1.12;
   return std::clamp(0.014567225 / (d * d) - 0.011612903, 0.0, 1.0);
 }
@@ -20,8 +21,8 @@ double distance_fade(Medium const& medium, int channel, double distance) {
   double const colour =
       medium.fade_colour.empty() ? 0 : medium.fade_colour[static_cast<std::size_t>(channel)];
   double const depth = distance / medium.fade_distance;
-  if (medium.fade_power >= 1000) return std::exp(-(1 - colour) * depth);
-  return colour + (1 - colour) / (1 + std::pow(depth, medium.fade_power));
+  if (medium.fade_power >= 1000) return simd::exp(-(1 - colour) * depth);
+  return colour + (1 - colour) / (1 + simd::pow(depth, medium.fade_power));
 }
 
 template <int Lanes>
@@ -212,7 +213,7 @@ void Shader<Lanes>::reflectivity(CompiledReflection const& reflection, double co
   else
     each_ray(rays, [&](std::size_t r, int first) {
       double const falloff = reflection.falloff;
-      double const share = falloff == 0 ? 1 : std::pow(1 - met_.cos_i[r], falloff);
+      double const share = falloff == 0 ? 1 : simd::pow(1 - met_.cos_i[r], falloff);
       for (int k = first; k < first + each(); ++k) out[k] = between(share, channel[k]);
     });
   if (reflection.metallic == 0) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/fan_shadows.hpp"
 #include "render/shader.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +17,14 @@ double strength_of(CompiledLight const& light, Vec3 const& to_light, double dist
   if (light.kind == scene::Light::Kind::Spot) {
     double const cosine = -glm::dot(to_light, light.direction);
     if (cosine <= 0 || cosine < light.cos_falloff) return 0;
-    if (light.tightness != 0) strength = std::pow(cosine, light.tightness);
+    if (light.tightness != 0) strength = simd::pow(cosine, light.tightness);
     if (cosine < light.cos_radius) {
       double const x = (cosine - light.cos_falloff) / (light.cos_radius - light.cos_falloff);
       strength *= x * x * (3 - 2 * x);
     }
   }
   if (light.fade_power > 0 && light.fade_distance != 0)
-    strength *= 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power));
+    strength *= 2 / (1 + simd::pow(distance / light.fade_distance, light.fade_power));
   return std::isfinite(strength) ? strength : 0; // negative distances have no broken powers
 }
 
@@ -48,9 +49,10 @@ void Shader<Lanes>::find_highlights(CompiledFinish const& finish, bool double_il
     if (!(out.aim->cosine[r] > 0 || double_illuminate)) return;
     double shine = 0;
     if (double const along = out.surface.mirrored[r]; finish.phong != 0 && along > 0)
-      shine += finish.phong * (finish.phong_size == 1 ? along : std::pow(along, finish.phong_size));
+      shine +=
+          finish.phong * (finish.phong_size == 1 ? along : simd::pow(along, finish.phong_size));
     if (double const along = out.surface.half[r]; finish.specular != 0 && along > 0)
-      shine += finish.specular * std::pow(along, 1 / finish.roughness);
+      shine += finish.specular * simd::pow(along, 1 / finish.roughness);
     out.shine[r] = shine;
   });
 }
@@ -79,7 +81,7 @@ auto Shader<Lanes>::light_up(CompiledLight const& light, CompiledFinish const& f
       double const cosine = out.aim->cosine[r];
       if (diffuse[r] != 0)
         diffuse[r] = pigment.opaque[r] * (cosine > 0 ? finish.diffuse : behind)
-                     * std::pow(std::abs(cosine), finish.brilliance);
+                     * simd::pow(std::abs(cosine), finish.brilliance);
     });
   out.shines = shines;
   find_highlights(finish, double_illuminate, rays, out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/tracer.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +59,12 @@ void Tracer::bend(PathRay const& next, Beam const& mirrored, double exponent) {
       weight *= pick->weight;
       if (!pick->counts) continue;
     }
-    double const bent = std::pow(std::max(0.0, light), exponent);
+    double const bent = simd::pow(std::max(0.0, light), exponent);
     out_[slot[k]] += weight * bent;
     if (missing == 0) continue;
     double const away = missing * stage_.brightest;
-    double const most = std::max(std::pow(std::max(0.0, light) + away, exponent) - bent,
-                                 bent - std::pow(std::max(0.0, light - away), exponent));
+    double const most = std::max(simd::pow(std::max(0.0, light) + away, exponent) - bent,
+                                 bent - simd::pow(std::max(0.0, light - away), exponent));
     off[k] = std::isfinite(stage_.brightest) ? weight * most / stage_.brightest : weight;
   }
   cut_light_of(out, out.lanes);

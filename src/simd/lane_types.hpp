@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -39,10 +41,31 @@ inline double get(double a, int) {
   return a;
 }
 
+/// 2^k, of k + 1.5 2^52 with k a whole number in [-1022, 1023].
+inline double power_of_two(double shifted) {
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
+}
+/// The exponent of a positive normal number: it is significand(x) 2^exponent(x).
+inline double exponent(double x) {
+  auto const biased = std::bit_cast<std::uint64_t>(x) >> 52;
+  return std::bit_cast<double>(biased | 0x4330000000000000) - (0x1p52 + 1023);
+}
+/// In [1, 2).
+inline double significand(double x) {
+  auto const fraction = std::bit_cast<std::uint64_t>(x) & 0x000fffffffffffff;
+  return std::bit_cast<double>(fraction | 0x3ff0000000000000);
+}
+
+/// A number that is not below zero, with the sign of another, be that a zero.
+inline double with_sign(double magnitude, double sign) {
+  return std::copysign(magnitude, sign);
+}
+
 /// Four doubles in two SSE2 registers (the part of x86-64 that every machine has).
 struct Mask4;
 struct Double4 {
   using Half = double __attribute__((vector_size(16)));
+  using Integers = std::uint64_t __attribute__((vector_size(16)));
   Half low, high;
 
   Double4() = default;
@@ -117,6 +140,34 @@ inline Double4 sqrt(Double4 const& a) {
 #else
   return {std::sqrt(a.low[0]), std::sqrt(a.low[1]), std::sqrt(a.high[0]), std::sqrt(a.high[1])};
 #endif
+}
+inline Double4 power_of_two(Double4 const& shifted) {
+  auto const half = [](Double4::Half const& x) {
+    return reinterpret_cast<Double4::Half>((reinterpret_cast<Double4::Integers>(x) + 1023) << 52);
+  };
+  return {half(shifted.low), half(shifted.high)};
+}
+inline Double4 exponent(Double4 const& of) {
+  auto const half = [](Double4::Half const& x) {
+    auto const biased = (reinterpret_cast<Double4::Integers>(x) >> 52) | 0x4330000000000000;
+    return reinterpret_cast<Double4::Half>(biased) - (0x1p52 + 1023);
+  };
+  return {half(of.low), half(of.high)};
+}
+inline Double4 significand(Double4 const& of) {
+  auto const half = [](Double4::Half const& x) {
+    auto const fraction = reinterpret_cast<Double4::Integers>(x) & 0x000fffffffffffff;
+    return reinterpret_cast<Double4::Half>(fraction | 0x3ff0000000000000);
+  };
+  return {half(of.low), half(of.high)};
+}
+inline Double4 with_sign(Double4 const& magnitude, Double4 const& sign) {
+  auto const half = [](Double4::Half const& x, Double4::Half const& y) {
+    return reinterpret_cast<Double4::Half>(
+        reinterpret_cast<Double4::Integers>(x)
+        | (reinterpret_cast<Double4::Integers>(y) & 0x8000000000000000));
+  };
+  return {half(magnitude.low, sign.low), half(magnitude.high, sign.high)};
 }
 /// From and to memory, in order.
 template <class L>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/reader.hpp"
 
+#include "simd/math.hpp"
 #include "surface/pigment.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void Reader::tint(HitGroup const& hit, SurfaceCrossing const& crossing, double c
   if (caustics != 0) {
     // POV-Ray's imitation of light that curved glass gathers; each layer gathers it once more.
     Vec3 const normal = world_.facing(crossing.primitive, crossing.face, light.point);
-    focus += std::pow(std::abs(glm::dot(normal, light.direction)), 45 * caustics);
+    focus += simd::pow(std::abs(glm::dot(normal, light.direction)), 45 * caustics);
   }
   if (auto const layers = same(crossing)) return tint_by(*layers, focus, light, arena);
   SeenLayers const seen = at(hit, crossing, light.point, light.direction);

@@ -2,6 +2,7 @@
 #include "texture/pattern.hpp"
 
 #include "base/result.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,13 @@ double shaped(double r, Wave wave, double poly_exponent) {
   case Wave::Triangle:
     return r < 0.5 ? 2 * r : 2 * (1 - r);
   case Wave::Sine:
-    return 0.5 * (1 + std::sin(2 * pi * r));
+    return 0.5 * (1 + simd::sin(2 * pi * r));
   case Wave::Scallop:
-    return std::abs(std::sin(pi * r));
+    return std::abs(simd::sin(pi * r));
   case Wave::Cubic:
     return r * r * (3 - 2 * r);
   case Wave::Poly:
-    return std::pow(r, poly_exponent);
+    return simd::pow(r, poly_exponent);
   }
   return r;
 }

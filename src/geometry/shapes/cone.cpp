@@ -3,17 +3,18 @@
 
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/reading.hpp"
+#include "simd/math.hpp"
 
 namespace abbe::geometry {
 
 bool Cone::inside(Vec3 const& point) const {
   double const radius = middle_ + rate_ * point.y;
-  return std::fabs(point.y) <= 1 && std::hypot(point.x, point.z) <= radius;
+  return std::fabs(point.y) <= 1 && simd::hypot(point.x, point.z) <= radius;
 }
 
 Vec3 Cone::normal(Vec3 const& point, std::uint32_t face) const {
   if (face > 0) return {0, face == 1 ? -1 : 1, 0};
-  double const radius = std::hypot(point.x, point.z);
+  double const radius = simd::hypot(point.x, point.z);
   if (radius == 0) return {0, rate_ > 0 ? -1 : 1, 0}; // the apex
   return glm::normalize(Vec3(point.x / radius, -rate_, point.z / radius));
 }

@@ -4,6 +4,7 @@
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ Lathe::Lathe(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
   for (Lid const& lid : ends) {
     if (lid.radius > 0) lids_.push_back(lid);
   }
-  ball_ = std::hypot(radius_, std::max(std::fabs(low_), std::fabs(high_))) * (1 + gamma_bound(8));
+  ball_ = simd::hypot(radius_, std::max(std::fabs(low_), std::fabs(high_))) * (1 + gamma_bound(8));
 }
 
 /// The line with its direction scaled by a power of two to the length of about 1, from its closest
@@ -304,7 +305,7 @@ void Lathe::crossings(Ray const& ray, Start const* start, Crossings& out) const 
 
 bool Lathe::inside(Vec3 const& point) const {
   // Crossings of the level half-line outward: where y(u) is the height and r(u) is more.
-  double const distance = std::hypot(point.x, point.z);
+  double const distance = simd::hypot(point.x, point.z);
   bool odd = false;
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     Piece const& piece = pieces_[k];
@@ -324,7 +325,7 @@ bool Lathe::inside(Vec3 const& point) const {
 double Lathe::nearest(Piece const& piece, Vec3 const& point) const {
   double const y = point.y;
   double best = infinity, at = 0;
-  for (double const distance : {std::hypot(point.x, point.z), -std::hypot(point.x, point.z)}) {
+  for (double const distance : {simd::hypot(point.x, point.z), -simd::hypot(point.x, point.z)}) {
     auto const take = [&](double u) {
       double const a = piece.at(0, u) - distance, b = piece.at(1, u) - y, miss = a * a + b * b;
       if (!(miss < best)) return;
@@ -351,7 +352,7 @@ Vec3 Lathe::normal(Vec3 const& point, std::uint32_t face) const {
   if (k >= pieces_.size()) return {0, (face & 1U) != 0 ? -1 : 1, 0};
   double const u = nearest(pieces_[k], point);
   double const r_slope = pieces_[k].slope(0, u), y_slope = pieces_[k].slope(1, u);
-  double const distance = std::hypot(point.x, point.z);
+  double const distance = simd::hypot(point.x, point.z);
   // Where r is negative, the curve stands on the other side of the axis.
   double const turn = pieces_[k].at(0, u) < 0 ? -1 : 1;
   Vec3 const away = distance > 0 ? Vec3(point.x, 0, point.z) / distance : Vec3(1, 0, 0);
@@ -367,7 +368,7 @@ Bounds Lathe::bounds() const {
 std::optional<Vec2> Lathe::uv(Vec3 const& point, std::uint32_t face) const {
   std::size_t const k = face / 2;
   if (k >= pieces_.size()) return std::nullopt;
-  double const turn = std::atan2(point.z, point.x) / 6.283185307179586476925286766559;
+  double const turn = simd::atan2(point.z, point.x) / 6.283185307179586476925286766559;
   return Vec2(turn < 0 ? turn + 1 : turn, (static_cast<double>(k) + nearest(pieces_[k], point))
                                               / static_cast<double>(pieces_.size()));
 }

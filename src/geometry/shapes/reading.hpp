@@ -3,6 +3,7 @@
 
 #include "base/parameters.hpp"
 #include "geometry/shape.hpp"
+#include "simd/math.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -50,7 +51,7 @@ inline std::optional<std::vector<Vec2>> read_points(Parameters& parameters, int 
 
 /// Length without overflow or underflow of the squares.
 inline double vector_length(Vec3 const& v) {
-  return std::hypot(v.x, v.y, v.z);
+  return simd::hypot(simd::hypot(v.x, v.y), v.z);
 }
 /// v / |v|, of the same bits when v is scaled by a power of two. @param v finite, not zero
 inline Vec3 unit_vector(Vec3 const& v) {

@@ -4,6 +4,7 @@
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ Sor::Sor(std::vector<Piece> pieces, bool open) : pieces_(std::move(pieces)), ope
   }
   radius_ = std::sqrt(square) * (1 + gamma_bound(16));
   double const height = std::max(std::fabs(pieces_.front().low), std::fabs(pieces_.back().high));
-  ball_ = std::hypot(radius_, height) * (1 + gamma_bound(8));
+  ball_ = simd::hypot(radius_, height) * (1 + gamma_bound(8));
 }
 
 /// One line on its way through the pieces.
@@ -170,7 +171,7 @@ Bounds Sor::bounds() const {
 
 std::optional<Vec2> Sor::uv(Vec3 const& point, std::uint32_t) const {
   double const low = pieces_.front().low, high = pieces_.back().high;
-  double const turn = std::atan2(point.z, point.x) / 6.283185307179586476925286766559;
+  double const turn = simd::atan2(point.z, point.x) / 6.283185307179586476925286766559;
   return Vec2(turn < 0 ? turn + 1 : turn, (point.y - low) / (high - low));
 }
 

@@ -6,6 +6,7 @@
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr int library = 16; ///< roundings of the chain of powers, each of 2 uni
 double joined(double a, double b, double k) {
   double const most = std::max(a, b), least = std::min(a, b);
   if (most == 0) return 0;
-  return most * std::pow(1 + std::pow(least / most, k), 1 / k);
+  return most * simd::pow(1 + simd::pow(least / most, k), 1 / k);
 }
 
 } // namespace
@@ -40,9 +41,9 @@ public:
     Vec3 const v = glm::abs(point);
     double const ring = joined(v.x, v.y, p_), size = joined(ring, v.z, q_);
     if (size == 0) return Vec3(0);
-    double const to_ring = ring > 0 ? std::pow(ring / size, q_ - 1) : 0;
+    double const to_ring = ring > 0 ? simd::pow(ring / size, q_ - 1) : 0;
     auto const share = [](double part, double whole, double k) {
-      return whole > 0 ? std::pow(part / whole, k - 1) : 0.0;
+      return whole > 0 ? simd::pow(part / whole, k - 1) : 0.0;
     };
     return {std::copysign(share(v.x, ring, p_) * to_ring, point.x),
             std::copysign(share(v.y, ring, p_) * to_ring, point.y),
@@ -81,7 +82,7 @@ private:
   static Interval share(Interval const& part, Interval const& whole, double k) {
     double const low = whole.high > 0 ? std::max(part.low, 0.0) / whole.high : 0;
     double const high = whole.low > 0 ? std::min(1.0, part.high / whole.low) : 1;
-    double const a = std::pow(low, k - 1), b = std::pow(high, k - 1);
+    double const a = simd::pow(low, k - 1), b = simd::pow(high, k - 1);
     // The ratio's roundings count as often as the power says.
     int const roundings = library + static_cast<int>(std::min(8 * std::fabs(k), 1e6));
     Interval const result = widened(std::min(a, b), std::max(a, b), roundings);

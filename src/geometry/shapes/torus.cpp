@@ -6,6 +6,7 @@
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/start.hpp"
+#include "simd/math.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,11 +133,11 @@ void Torus::crossings(Ray const& ray, Start const* start, Crossings& out) const 
 }
 
 bool Torus::inside(Vec3 const& point) const {
-  return std::hypot(std::hypot(point.x, point.z) - major_, point.y) <= minor_;
+  return simd::hypot(simd::hypot(point.x, point.z) - major_, point.y) <= minor_;
 }
 
 Vec3 Torus::normal(Vec3 const& point, std::uint32_t) const {
-  double const rho = std::hypot(point.x, point.z);
+  double const rho = simd::hypot(point.x, point.z);
   double const part = rho == 0 ? 0 : (rho - major_) / rho;
   Vec3 const out(point.x * part, point.y, point.z * part);
   return out == Vec3(0) ? Vec3(0, 1, 0) : unit_vector(out);

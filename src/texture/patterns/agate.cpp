@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/agate.hpp"
 
+#include "simd/math.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -12,8 +14,8 @@ public:
   double raw(Vec3 const& p, PatternModifiers const& modifiers) const override {
     Turbulence const t = modifiers.turbulence.value_or(Turbulence{});
     double const shake = amount_ * turbulence(p, t, modifiers.noise_generator);
-    double const band = 0.5 * (std::sin(2 * std::numbers::pi * (1.3 * shake + 1.1 * p.z)) + 1);
-    return std::pow(band, 0.77);
+    double const band = 0.5 * (simd::sin(2 * std::numbers::pi * (1.3 * shake + 1.1 * p.z)) + 1);
+    return simd::pow(band, 0.77);
   }
   std::span<DefaultEntry const> default_map() const override {
     static DefaultEntry const browns[] = {{0, Vec3(1)},

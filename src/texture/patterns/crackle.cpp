@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/crackle.hpp"
 
+#include "simd/math.hpp"
 #include "texture/lattice.hpp"
 #include "texture/noise_tables.hpp"
 
@@ -52,10 +53,10 @@ private:
   Nearest find(Vec3 const& p) const;
 
   double power(double difference) const {
-    return metric_ == 2 ? difference * difference : std::pow(std::abs(difference), metric_);
+    return metric_ == 2 ? difference * difference : simd::pow(std::abs(difference), metric_);
   }
   double root(double sum) const {
-    return metric_ == 2 ? std::sqrt(sum) : std::pow(sum, 1 / metric_);
+    return metric_ == 2 ? std::sqrt(sum) : simd::pow(sum, 1 / metric_);
   }
   /// Of the gap between the point's place in its own cell and the cell k cells away.
   double gap_power(double place, int k) const {

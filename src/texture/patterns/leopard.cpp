@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/leopard.hpp"
 
+#include "simd/math.hpp"
 #include "texture/patterns/formula.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace abbe::texture {
 namespace {
 
 double leopard(Vec3 const& p, PatternModifiers const&) {
-  double const mean = (std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3;
+  double const mean = (simd::sin(p.x) + simd::sin(p.y) + simd::sin(p.z)) / 3;
   return mean * mean;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/radial.hpp"
 
+#include "simd/math.hpp"
 #include "texture/patterns/formula.hpp"
 
 #include <cmath>
@@ -14,7 +15,7 @@ constexpr Pattern::DefaultEntry rainbow[] = {
 
 double radial(Vec3 const& p, PatternModifiers const&) {
   if (p.x == 0 && p.z == 0) return 0.25;
-  return 0.25 + (std::atan2(p.x, p.z) + std::numbers::pi) / (2 * std::numbers::pi);
+  return 0.25 + (simd::atan2(p.x, p.z) + std::numbers::pi) / (2 * std::numbers::pi);
 }
 
 } // namespace

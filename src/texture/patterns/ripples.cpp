@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/ripples.hpp"
 
+#include "simd/math.hpp"
 #include "texture/noise_tables.hpp"
 #include "texture/patterns/formula.hpp"
 
@@ -41,8 +42,8 @@ double ripples(Vec3 const& p, PatternModifiers const& modifiers) {
   double const frequency = modifiers.frequency.value_or(1);
   double sum = 0;
   for (WaveSource const& source : wave_sources())
-    sum += std::sin(2 * std::numbers::pi
-                    * (glm::length(p - source.centre) * frequency + modifiers.phase));
+    sum += simd::sin(2 * std::numbers::pi
+                     * (glm::length(p - source.centre) * frequency + modifiers.phase));
   return 0.5 * (1 + sum / number_of_waves);
 }
 
@@ -50,7 +51,7 @@ double waves(Vec3 const& p, PatternModifiers const& modifiers) {
   double const frequency = modifiers.frequency.value_or(1);
   double sum = 0;
   for (WaveSource const& source : wave_sources())
-    sum += std::sin(
+    sum += simd::sin(
                2 * std::numbers::pi
                * (glm::length(p - source.centre) * frequency * source.frequency + modifiers.phase))
            / source.frequency;

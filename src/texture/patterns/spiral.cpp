@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/spiral.hpp"
 
+#include "simd/math.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +20,7 @@ double triangle(double v) {
 
 /// 0 at -y, growing by way of +x.
 double angle(double x, double sine) {
-  double const asin = std::asin(std::clamp(sine, -1.0, 1.0));
+  double const asin = simd::asin(std::clamp(sine, -1.0, 1.0));
   return x >= 0 ? pi / 2 + asin : 3 * pi / 2 - asin;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/patterns/wood.hpp"
 
+#include "simd/math.hpp"
 #include "texture/patterns/formula.hpp"
 
 #include <cmath>
@@ -18,8 +19,8 @@ double wood(Vec3 const& p, PatternModifiers const& modifiers) {
   if (modifiers.turbulence) {
     Turbulence const& t = *modifiers.turbulence;
     Vec3 const shake = vector_turbulence(p, t);
-    x += std::sin(2 * std::numbers::pi * (p.x + shake.x) * t.amount.x);
-    y += std::sin(2 * std::numbers::pi * (p.y + shake.y) * t.amount.y);
+    x += simd::sin(2 * std::numbers::pi * (p.x + shake.x) * t.amount.x);
+    y += simd::sin(2 * std::numbers::pi * (p.y + shake.y) * t.amount.y);
   }
   return std::sqrt(x * x + y * y);
 }
