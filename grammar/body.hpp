@@ -8,7 +8,7 @@ namespace abbe::grammar {
 
 /// Does the directive at `at` end a body (`#else`, `#case`, `#end` ...)?
 bool ends_body(Iterator at, Iterator last);
-/// Where the body that begins at `at` ends, told by directives alone; null when nothing ends it.
+/// Finds the end of the body that begins at `at` by directives alone; null when nothing ends it.
 Iterator find_end_of_body(Iterator at, Iterator last);
 /// Is the error one that a text may have that is not executed? A comment or string without end, or
 /// nesting beyond limits, is not.
@@ -32,7 +32,7 @@ struct BodyDirective : x3::unary_parser<Subject, BodyDirective<Subject>> {
   }
 
 private:
-  /// What an error leaves changed in the state.
+  /// Holds the part of the state that an error leaves changed.
   struct Place {
     explicit Place(State const& state)
         : flavour(state.flavour),

@@ -46,7 +46,7 @@ SyntaxError stray(Iterator at, Iterator last) {
           fmt::format("{} stands where a statement should begin", describe(found))};
 }
 
-/// What is wrong with the text, if reading it by `read` does not end well.
+/// Tells what is wrong with the text, if reading it by `read` does not end well.
 template <class Read>
 std::optional<SyntaxError> error_of(Iterator last, Read const& read) {
   try {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// What may be meant by first attempts that cannot work.
+/// Suggests what may be meant by first attempts that cannot work.
 namespace abbe::cli {
 
 /// "; abbe render scene.scn renders it" for a word in the place of a command that names a scene or

@@ -3,28 +3,10 @@
 
 #include "simd/native.hpp"
 
-#include <bit>
-#include <cstdint>
-#include <cstring>
 #include <iterator>
 
 namespace abbe::render {
 namespace {
-
-/// The integer in the last bits of `shifted` = 1.5 2^52 + k, as the exponent of 2^k.
-double power_of_two(double shifted) {
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
-}
-template <class L>
-L power_of_two(L const& shifted) {
-  double k[lane::width<L>];
-  lane::store(k, shifted);
-  std::uint64_t bits[lane::width<L>];
-  std::memcpy(bits, k, sizeof bits);
-  for (std::uint64_t& b : bits) b = (b + 1023) << 52;
-  std::memcpy(k, bits, sizeof bits);
-  return lane::load<L>(k);
-}
 
 /// exp(-depth): depth = k ln 2 + r with ln 2 in two parts (Cody and Waite 1980), the series of
 /// exp(-r) to its 13th power, which leaves 4e-18 for |r| <= ln 2 / 2.
@@ -56,7 +38,7 @@ L attenuation(L const& depth) {
   L series(inverse_factorial[0]);
   for (std::size_t i = 1; i < std::size(inverse_factorial); ++i)
     series = series * r + L(inverse_factorial[i]);
-  L const value = (one + series * r) * power_of_two(shifted);
+  L const value = (one + series * r) * lane::power_of_two(shifted);
   return lane::select(L(deepest) < depth, zero, value);
 }
 
