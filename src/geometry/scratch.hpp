@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/batch.hpp"
 #include "geometry/csg.hpp"
+#include "geometry/fan.hpp"
 #include "geometry/world.hpp"
 
 #include <cstdint>
@@ -62,9 +64,12 @@ public:
   std::vector<Event> events;
   std::vector<Candidate> candidates;
   std::vector<Departure::On> members;
-  HitGroup lone;     ///< what one ray of a fan meets by itself
-  HitGroup beyond;   ///< what is in contact with a group
-  Departure through; ///< from that group on
+  StartOrder order;    ///< of a batch
+  Departure departure; ///< of a packet of it
+  FanHits found;       ///< of that packet
+  HitGroup lone;       ///< what one ray of a fan meets by itself
+  HitGroup beyond;     ///< what is in contact with a group
+  Departure through;   ///< from that group on
   std::vector<FanProposal> proposals;
   /// Values of the boolean trees of the world `owner`, put back to "outside" after each use.
   std::uint64_t owner = 0;

@@ -69,6 +69,8 @@ struct HitGroup {
 };
 
 struct FanLines;
+struct RayLines; // of batch.hpp
+struct Hits;
 struct FanHits;
 struct FanPair;
 
@@ -122,6 +124,13 @@ public:
   /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?
   bool occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                 Scratch&) const;
+  /// closest() for each ray of a batch (batch.hpp), with the bits of each alone.
+  /// @param t_max by ray; null: infinite
+  void intersect(RayLines const& rays, std::uint8_t mask, double const* t_max, Scratch&,
+                 Hits& hits) const;
+  /// occluded() for each ray of a batch. @param blocked 1 or 0 by ray
+  void occluded(RayLines const& rays, std::uint8_t mask, double const* t_max, Scratch&,
+                std::uint8_t* blocked) const;
   /// The solids that contain the point, ordered by where a fixed line through it entered them.
   void containing(Vec3 const& point, Scratch&, std::vector<SolidId>& out) const;
   /// Outward unit normal of the primitive's surface in world space (smoothed / the true one).
