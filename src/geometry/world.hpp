@@ -70,7 +70,9 @@ struct HitGroup {
 
 struct FanLines;
 struct RayLines; // of batch.hpp
+struct RayHit;
 struct Hits;
+struct VectorArrays;
 struct FanHits;
 struct FanPair;
 
@@ -141,6 +143,9 @@ public:
     Vec3 smoothed, geometric;
   };
   Normals normals(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  /// The same for many hits, each at its point; nothing is written for those that met nothing.
+  void normals(std::size_t count, RayHit const* hits, VectorArrays const& points,
+               VectorArrays const& smoothed, VectorArrays const& geometric) const;
   /// Unit normal towards what counts as outside, where Shape::side() is not Crossing.
   Vec3 facing(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   /// The face has one normal, wherever the point.
