@@ -2,34 +2,15 @@
 #pragma once
 
 #include "geometry/bvh.hpp"
+#include "simd/float_lanes.hpp"
 
 #include <cmath>
-#include <cstring>
+#include <limits>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
-/// Lines against boxes. The boxes are floats, the computation is in doubles: a float is a double
-/// without loss, and both boxes of a node fill one register. What is found depends on boxes only in
-/// that none that a line meets is left out.
+/// Lines against boxes. What is found depends on boxes only in that none that a line meets is left
+/// out.
 namespace abbe::geometry {
 
-/// A number for each of the two boxes of a node.
-using BoxPair = double __attribute__((vector_size(16)));
-
-inline BoxPair load_planes(float const* from) {
-#if defined(__SSE2__)
-  double both;
-  std::memcpy(&both, from, sizeof both);
-  return _mm_cvtps_pd(_mm_castpd_ps(_mm_set_sd(both)));
-#else
-  return BoxPair{from[0], from[1]};
-#endif
-}
-inline BoxPair same(double x) {
-  return BoxPair{x, x};
-}
 template <class L>
 L least(L const& a, L const& b) {
   return a < b ? a : b; // b where one is NaN: a single instruction
@@ -37,24 +18,6 @@ L least(L const& a, L const& b) {
 template <class L>
 L most(L const& a, L const& b) {
   return a > b ? a : b;
-}
-/// Bits of the boxes where entry <= end.
-inline unsigned met_boxes(BoxPair const& entry, BoxPair const& end) {
-  auto const met = entry <= end;
-#if defined(__SSE2__)
-  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(met)));
-#else
-  return static_cast<unsigned>((met[0] & 1) | (met[1] & 2));
-#endif
-}
-
-/// Each bound of t has three roundings (pbrt 6.8.2): the difference, the inverse, the product. They
-/// are relative: the widening does not change which is the last, or the first.
-template <class L>
-void widen_cut(L& in, L& out) {
-  constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
-  in = least(in * wide, in * tight);
-  out = most(out * wide, out * tight);
 }
 
 /// A line against single boxes of doubles.
@@ -71,7 +34,11 @@ struct BoxProbe {
       in = most(((rising ? low[i] : high[i]) - origin[i]) * inverse[i], in);
       out = least(((rising ? high[i] : low[i]) - origin[i]) * inverse[i], out);
     }
-    widen_cut(in, out);
+    // Each bound of t has three roundings (pbrt 6.8.2): the difference, the inverse, the product.
+    // They are relative: the widening does not change which is the last, or the first.
+    constexpr double wide = 1 + 2 * gamma_bound(3), tight = 1 - 2 * gamma_bound(3);
+    in = least(in * wide, in * tight);
+    out = most(out * wide, out * tight);
     entry = most(in, from);
     return entry <= least(out, to);
   }
@@ -101,73 +68,80 @@ struct BoxRange {
 struct BoxSides {
   std::size_t near, far;
   BoxSides(std::size_t axis, bool falling)
-      : near(falling ? 6 + 2 * axis : 2 * axis), far(6 + 4 * axis - near) {}
-  BoxPair near_planes(BvhNode const& node) const {
-    return load_planes(&node.planes[0][0][0] + near);
-  }
-  BoxPair far_planes(BvhNode const& node) const { return load_planes(&node.planes[0][0][0] + far); }
-  bool falling() const { return near >= 6; }
+      : near(BvhNode::width * (falling ? 3 + axis : axis)),
+        far(BvhNode::width * (3 + 2 * axis) - near) {}
 };
 
-/// One line against the boxes of a hierarchy: as BoxProbe; the roundings of the origin are in it.
+/// One line against the boxes of a hierarchy, all in floats.
+///
+/// Floats see the line from where it is nearest to the space's centre: there its place has digits
+/// as boxes have, wherever the ray starts. What that and the rounding to floats moves the place, it
+/// is moved away from each side it is compared with. Each bound of the way then has three roundings
+/// (the difference, the inverse, the product), which `widen` pays for. Ways are counted from that
+/// place, in units of the space for a direction whose largest component is in [1, 2): the
+/// quotients leave the range of floats only where that says the same.
 class NodeProbe {
-public:
-  using Single = BoxProbe;
-
-  NodeProbe(Ray const& ray, BvhSpace const& space)
-      : NodeProbe(ray, space, [](int, double at, double way) { return BoxOrigin(at, way); }) {}
-  /// The boxes wider by `reach` on each side.
-  NodeProbe(Ray const& ray, BvhSpace const& space, Vec3 const& reach)
-      : NodeProbe(ray, space, [&](int axis, double at, double way) {
-          double const wide = reach[axis] * space.per_unit * (1 + 4 * unit_roundoff);
-          return BoxOrigin(at, way, std::fabs(at) * (4 * unit_roundoff) + wide);
-        }) {}
-
-  /// Where the line is in each box of a node within [from, to]. @return bits of the boxes it meets
-  unsigned enter(BvhNode const& node, double from, double to, double (&entry)[2]) const {
-    BoxPair in = same(-BoxRange::infinite), out = same(BoxRange::infinite);
-    for (Axis const& axis : axes_) {
-      in = most((axis.sides.near_planes(node) - axis.near) * axis.inverse, in);
-      out = least((axis.sides.far_planes(node) - axis.far) * axis.inverse, out);
-    }
-    widen_cut(in, out);
-    in = most(in, same(from));
-    out = least(out, same(to));
-    std::memcpy(entry, &in, sizeof in);
-    return met_boxes(in, out);
-  }
-
-private:
+  /// As BoxOrigin; 1 / direction: infinite across the axis, NaN where it is not tested.
   struct Axis {
-    BoxPair near, far, inverse; ///< BoxOrigin; 1 / direction, NaN where it is not tested
-    BoxSides sides;
+    float near, far, inverse;
+    BoxSides sides{0, false};
   };
 
-  template <class Origin>
-  NodeProbe(Ray const& ray, BvhSpace const& space, Origin const& origin)
-      : axes_{axis(ray, space, origin, 0), axis(ray, space, origin, 1),
-              axis(ray, space, origin, 2)} {
-    double smallest = BoxRange::infinite, largest = 0, far = 0;
-    for (Axis const& axis : axes_) {
-      double const size = std::fabs(axis.inverse[0]);
-      smallest = least(size, smallest);
-      largest = most(size, largest);
-      far += std::fabs(axis.near[0]);
+public:
+  using Single = BoxProbe;
+  template <class L>
+  using LanesOf = typename simd::FloatsOf<L>::Type;
+
+  /// @param reach by which boxes are wider on each side
+  NodeProbe(Ray const& ray, BvhSpace const& space, Vec3 const& reach = Vec3(0));
+
+  /// A way that is not after that of `t`, and one that is not before it.
+  float from(double t) const { return bound(t, -1); }
+  float until(double t) const { return bound(t, 1); }
+
+  /// The line in registers.
+  template <class F>
+  class Lanes {
+  public:
+    Lanes(NodeProbe const& of, float from)
+        : axes_{axis(of.axes_[0]), axis(of.axes_[1]), axis(of.axes_[2])}, from_(from) {}
+    /// Where the line is in each box of a node up to `to`. @return bits of the boxes it meets
+    unsigned enter(BvhNode const& node, float to, float (&entry)[BvhNode::width]) const {
+      float const* const planes = &node.planes[0][0][0];
+      F in(-std::numeric_limits<float>::infinity()), out(std::numeric_limits<float>::infinity());
+      for (Axis const& axis : axes_) {
+        in = most((F::load(planes + axis.sides.near) - axis.near) * axis.inverse, in);
+        out = least((F::load(planes + axis.sides.far) - axis.far) * axis.inverse, out);
+      }
+      F const wide(1 + 0x1p-21F), tight(1 - 0x1p-21F);
+      in = most(least(in * wide, in * tight), from_);
+      out = least(most(out * wide, out * tight), F(to));
+      in.store(entry);
+      return ~bits(out < in) & 0xff;
     }
-    bool const usable = smallest >= BoxRange::smallest_inverse
-                        && largest <= BoxRange::largest_inverse && far <= BoxRange::farthest;
-    if (!usable) leave_untested(ray, far <= BoxRange::farthest);
+
+  private:
+    struct Axis {
+      F near, far, inverse;
+      BoxSides sides;
+    };
+    static Axis axis(NodeProbe::Axis const& of) {
+      return {F(of.near), F(of.far), F(of.inverse), of.sides};
+    }
+    Axis axes_[3];
+    F from_;
+  };
+
+private:
+  float bound(double t, double side) const {
+    double const way = t * per_t_ - start_;
+    double const off = (std::fabs(t * per_t_) + std::fabs(start_)) * (4 * unit_roundoff)
+                       + std::fabs(way) * 0x1p-22 + 0x1p-120;
+    return static_cast<float>(way + side * off);
   }
-  template <class Origin>
-  static Axis axis(Ray const& ray, BvhSpace const& space, Origin const& origin, int i) {
-    double const inverse = space.unit / ray.direction[i];
-    BoxOrigin const at = origin(i, (ray.origin[i] - space.centre[i]) * space.per_unit, inverse);
-    return {same(at.near), same(at.far), same(inverse),
-            BoxSides(static_cast<std::size_t>(i), !(inverse > 0))};
-  }
-  void leave_untested(Ray const& ray, bool near);
 
   Axis axes_[3];
+  double per_t_, start_; ///< way = t per_t_ - start_
 };
 
 } // namespace abbe::geometry

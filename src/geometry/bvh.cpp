@@ -5,10 +5,12 @@
 #include "geometry/treelets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace abbe::geometry {
@@ -17,8 +19,17 @@ namespace {
 
 /// From so many items on, runs of neighbours are sorted out first.
 constexpr std::uint32_t treelets_from = 1 << 14, treelet_size = 16;
-constexpr std::size_t few_nodes = 1 << 14;
+constexpr std::size_t few_nodes = 1 << 12;
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Deepest tree that is built; below, items share a leaf.
+constexpr int deepest = deepest_bvh - 8;
+
+/// Two boxes, and what is in each, as in BvhNode.
+struct Pair {
+  float planes[2][3][2];
+  std::uint32_t first[2], count[2];
+};
 
 /// Four sides of a box at a time, said outright: compilers make single operations of plain loops.
 using Four = float __attribute__((vector_size(16)));
@@ -82,7 +93,7 @@ struct Extent {
 struct Builder {
   std::vector<BvhBox> refs; ///< parted in place: memory is read in a row
   std::uint32_t leaf_size;
-  std::vector<BvhNode>& nodes;
+  std::vector<Pair>& nodes;
   /// Where `refs` are boxes of runs of another builder's items: that goes on where one is left.
   std::vector<Treelet> const* runs = nullptr;
   Builder* below = nullptr;
@@ -109,7 +120,7 @@ struct Builder {
     Part const leaf{begin, end - begin};
     bool const root = nodes.empty();
     if (!root && end - begin <= leaf_size) return leaf;
-    if (depth + 1 >= max_bvh_depth && runs == nullptr) return leaf;
+    if (depth + 1 >= deepest && runs == nullptr) return leaf;
     Extent left, right;
     std::uint32_t const middle = split(begin, end, depth, extent, root, left, right);
     if (middle == begin) return leaf;
@@ -120,7 +131,7 @@ struct Builder {
     return {self, BvhNode::inner};
   }
   void set(std::uint32_t number, std::size_t k, Box const& box, Part const& part) {
-    BvhNode& node = nodes[number];
+    Pair& node = nodes[number];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       node.planes[0][axis][k] = box.side(static_cast<int>(axis));
       node.planes[1][axis][k] = -box.side(static_cast<int>(axis) + 3);
@@ -280,7 +291,7 @@ struct Builder {
     // A visit of a node costs about half of a test of an item.
     bool const worth = plane.axis >= 0 && plane.cost + 0.5 * area < area * count;
     if (!worth && !must && count <= 4 * leaf_size && runs == nullptr) return begin;
-    if (plane.axis >= 0 && depth < max_bvh_depth / 2) {
+    if (plane.axis >= 0 && depth < deepest / 2) {
       std::uint32_t const at = part(begin, end, plane, extent, left, right);
       if (at != begin && at != end) return at;
     }
@@ -297,24 +308,111 @@ struct Builder {
   }
 };
 
+/// Makes nodes of eight out of nodes of two.
+struct Widener {
+  std::vector<Pair> const& pairs;
+  std::vector<BvhBox> const& refs;
+  bool opens_leaves; ///< where there is room, items get boxes of their own
+  std::vector<BvhNode>& nodes;
+
+  struct Part {
+    float planes[2][3];
+    std::uint32_t first = 0, count = 0;
+    float area() const {
+      float const x = planes[1][0] - planes[0][0], y = planes[1][1] - planes[0][1],
+                  z = planes[1][2] - planes[0][2];
+      return x * y + y * z + z * x;
+    }
+  };
+  struct Parts {
+    std::array<Part, BvhNode::width> part;
+    std::size_t size = 0;
+  };
+
+  void add(Pair const& pair, std::size_t k, Part& out) const {
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        out.planes[side][axis] = pair.planes[side][axis][k];
+    out.first = pair.first[k];
+    out.count = pair.count[k];
+  }
+  void add_item(std::uint32_t place, Part& out) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      out.planes[0][axis] = refs[place].side[axis];
+      out.planes[1][axis] = -refs[place].side[axis + 3];
+    }
+    out.first = place;
+    out.count = 1;
+  }
+  /// How many parts there are more when one is opened; 0: it stays.
+  std::size_t more(Part const& part) const {
+    if (part.count == BvhNode::inner) return 1;
+    return opens_leaves && part.count > 1 ? part.count - 1 : 0;
+  }
+  void open(Parts& parts, std::size_t number) const {
+    Part const from = parts.part[number];
+    if (from.count == BvhNode::inner) {
+      add(pairs[from.first], 0, parts.part[number]);
+      add(pairs[from.first], 1, parts.part[parts.size++]);
+      return;
+    }
+    add_item(from.first, parts.part[number]);
+    for (std::uint32_t i = 1; i < from.count; ++i)
+      add_item(from.first + i, parts.part[parts.size++]);
+  }
+
+  std::uint32_t build(std::uint32_t number) {
+    Parts parts;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (pairs[number].count[k] > 0) add(pairs[number], k, parts.part[parts.size++]);
+    for (;;) {
+      std::size_t largest = parts.size;
+      for (std::size_t k = 0; k < parts.size; ++k) {
+        std::size_t const by = more(parts.part[k]);
+        if (by == 0 || parts.size + by > BvhNode::width) continue;
+        if (largest == parts.size || parts.part[k].area() > parts.part[largest].area()) largest = k;
+      }
+      if (largest == parts.size) break;
+      open(parts, largest);
+    }
+    auto const self = static_cast<std::uint32_t>(nodes.size());
+    nodes.emplace_back();
+    for (std::size_t k = 0; k < BvhNode::width; ++k) {
+      bool const there = k < parts.size;
+      Part const& part = parts.part[k];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        constexpr float far = std::numeric_limits<float>::infinity();
+        nodes[self].planes[0][axis][k] = there ? part.planes[0][axis] : far;
+        nodes[self].planes[1][axis][k] = there ? part.planes[1][axis] : -far;
+      }
+      bool const inner = there && part.count == BvhNode::inner;
+      std::uint32_t const first = inner ? build(part.first) : there ? part.first : 0;
+      nodes[self].first[k] = first;
+      nodes[self].count[k] = there ? part.count : 0;
+    }
+    return self;
+  }
+};
+
 } // namespace
 
 Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_size)
     : space_(space) {
   if (boxes.empty()) return;
   auto const count = static_cast<std::uint32_t>(boxes.size());
-  // As many as there are if leaves are half full.
-  nodes_.reserve(count / std::max(1U, leaf_size / 2));
+  std::uint32_t const in_leaf = std::max(2U, leaf_size);
+  std::vector<Pair> pairs;
+  pairs.reserve(count / (in_leaf / 2)); // as many as there are if leaves are half full
   std::vector<Treelet> runs;
   if (count >= treelets_from && count <= most_in_treelets)
     runs = make_treelets(boxes, treelet_size);
-  Builder builder{std::move(boxes), leaf_size, nodes_};
+  Builder builder{std::move(boxes), in_leaf, pairs};
   if (count == 1) {
     builder.build_single();
   } else if (runs.empty()) {
     builder.build(0, count, 0, builder.extent_of(0, count));
   } else {
-    Builder above{{}, 1, nodes_, &runs, &builder};
+    Builder above{{}, 1, pairs, &runs, &builder};
     above.refs.reserve(runs.size());
     for (Treelet const& run : runs) {
       Box const box = builder.extent_of(run.begin, run.end).box;
@@ -326,6 +424,8 @@ Bvh::Bvh(BvhSpace const& space, std::vector<BvhBox> boxes, std::uint32_t leaf_si
     auto const number = static_cast<std::uint32_t>(runs.size());
     above.build(0, number, 0, above.extent_of(0, number));
   }
+  nodes_.reserve(pairs.size() / 4 + 1);
+  Widener{pairs, builder.refs, leaf_size == 1, nodes_}.build(0);
   items_.reserve(count);
   for (BvhBox const& box : builder.refs) items_.push_back(box.item);
   builder.refs = {};

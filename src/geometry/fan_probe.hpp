@@ -59,7 +59,8 @@ FanExtents extents_of(FanLines const& rays) {
 /// @param rise per_rise() of the directions; @param fall their per_fall()
 template <class L>
 L spread_entry(L const& above, L const& rise, L const& below, L const& fall, L const& from) {
-  return most(above * rise, most(below * fall, from)); // NaN, 0 times infinity, is not taken
+  return simd::max(simd::max(from, below * fall),
+                   above * rise); // NaN, 0 times infinity, is not taken
 }
 
 /// 1 / the direction that rises most, and that falls most: infinite where none does.
@@ -125,10 +126,17 @@ private:
   Axis axes_[3];
 };
 
-/// FanProbe for the boxes of a hierarchy, as NodeProbe is BoxProbe.
+/// The least and the largest t of a fan whose numbers are floats, rounded away.
+inline float fan_bound(double t, double side) {
+  return static_cast<float>(t + side * (std::fabs(t) * 0x1p-22 + 0x1p-140));
+}
+
+/// FanProbe for the boxes of a hierarchy, which are floats: the computation is in doubles.
 class FanNodeProbe {
 public:
   using Single = FanProbe;
+  template <class L>
+  using LanesOf = L;
 
   FanNodeProbe(FanExtents const& of, BvhSpace const& space) {
     for (int i = 0; i < 3; ++i) {
@@ -138,38 +146,67 @@ public:
         spread_[spread_count_++] = spread(of.origin[i], of.direction[i], space, i);
     }
   }
+  float from(double t) const { return fan_bound(t, -1); }
+  float until(double t) const { return fan_bound(t, 1); }
 
-  /// As BoxProbe::enter, of the first of the rays.
-  unsigned enter(BvhNode const& node, double from, double to, double (&entry)[2]) const {
-    BoxPair in = same(from), out = same(to);
-    for (int i = 0; i < count_; ++i) {
-      Axis const& axis = axes_[i];
-      BoxPair const first = axis.sides.near_planes(node) - axis.near;
-      BoxPair const last = axis.sides.far_planes(node) - axis.far;
-      // By the fastest ray where it lies ahead, by the slowest where it lies behind.
-      in = most(least(first * axis.slowest, first * axis.fastest), in);
-      out = least(most(last * axis.slowest, last * axis.fastest), out);
+  template <class L>
+  class Lanes {
+  public:
+    Lanes(FanNodeProbe const& of, float from) : of_(of), from_(from) {}
+    /// As NodeProbe, of the first of the rays.
+    unsigned enter(BvhNode const& node, float to, float (&entry)[BvhNode::width]) const {
+      constexpr std::size_t step = simd::width<L>;
+      unsigned met = 0;
+      float const* const planes = &node.planes[0][0][0];
+      double begin[BvhNode::width], end[BvhNode::width];
+      for (std::size_t first = 0; first < BvhNode::width; first += step) {
+        L in(from_), out(to);
+        for (int i = 0; i < of_.count_; ++i) {
+          Axis const& axis = of_.axes_[i];
+          L const near = doubles(planes + axis.sides.near + first) - L(axis.near);
+          L const far = doubles(planes + axis.sides.far + first) - L(axis.far);
+          // By the fastest ray where it lies ahead, by the slowest where it lies behind.
+          in = simd::max(in, simd::min(near * L(axis.slowest), near * L(axis.fastest)));
+          out = simd::min(out, simd::max(far * L(axis.slowest), far * L(axis.fastest)));
+        }
+        for (int i = 0; i < of_.spread_count_; ++i) {
+          Spread const& axis = of_.spread_[i];
+          in = spread_entry(
+              doubles(planes + axis.sides.near + first) - L(axis.highest), L(axis.per_rise),
+              doubles(planes + axis.sides.far + first) - L(axis.lowest), L(axis.per_fall), in);
+        }
+        simd::store(begin + first, in);
+        simd::store(end + first, out);
+      }
+      for (std::size_t k = 0; k < BvhNode::width; ++k) {
+        if (!(begin[k] <= end[k])) continue;
+        met |= 1U << k;
+        entry[k] = fan_bound(begin[k], -1);
+      }
+      return met;
     }
-    for (int i = 0; i < spread_count_; ++i) {
-      Spread const& axis = spread_[i];
-      in = spread_entry(axis.sides.near_planes(node) - axis.highest, axis.per_rise,
-                        axis.sides.far_planes(node) - axis.lowest, axis.per_fall, in);
+
+  private:
+    static L doubles(float const* from) {
+      alignas(64) double out[simd::width<L>];
+      for (std::size_t k = 0; k < simd::width<L>; ++k) out[k] = static_cast<double>(from[k]);
+      return simd::load<L>(out);
     }
-    std::memcpy(entry, &in, sizeof in);
-    return met_boxes(in, out);
-  }
+    FanNodeProbe const& of_;
+    double from_;
+  };
 
 private:
   struct Axis {
-    BoxPair near, far;        ///< of the rays: from which boxes seem nearest, farthest
-    BoxPair fastest, slowest; ///< 1 / direction, with room for roundings
+    double near, far;        ///< of the rays: from which boxes seem nearest, farthest
+    double fastest, slowest; ///< 1 / direction, with room for roundings
     BoxSides sides{0, false};
     bool usable = false;
   };
   /// As spread_entry() asks for it.
   struct Spread {
-    BoxPair highest, lowest; ///< of the origins
-    BoxPair per_rise, per_fall;
+    double highest, lowest; ///< of the origins
+    double per_rise, per_fall;
     BoxSides sides{0, false};
   };
 
@@ -189,12 +226,9 @@ private:
                         && std::fabs(fastest) >= BoxRange::smallest_inverse
                         && std::fabs(slowest) <= BoxRange::largest_inverse
                         && std::fabs(ahead.near) + std::fabs(behind.far) <= BoxRange::farthest;
-    return {same(ahead.near),
-            same(behind.far),
-            same(fastest),
-            same(slowest),
-            BoxSides(static_cast<std::size_t>(i), falling),
-            usable};
+    return {
+        ahead.near, behind.far, fastest, slowest, BoxSides(static_cast<std::size_t>(i), falling),
+        usable};
   }
   static Spread spread(FanExtents::Range const& origin, FanExtents::Range const& direction,
                        BvhSpace const& space, int i) {
@@ -208,10 +242,10 @@ private:
           near
           && (size == BoxRange::infinite
               || (size >= BoxRange::smallest_inverse && size <= BoxRange::largest_inverse));
-      return same(usable ? scaled : std::numeric_limits<double>::quiet_NaN());
+      return usable ? scaled : std::numeric_limits<double>::quiet_NaN();
     };
-    return {same(high.near), same(low.near), inverse(per_rise(direction)),
-            inverse(per_fall(direction)), BoxSides(static_cast<std::size_t>(i), false)};
+    return {high.near, low.near, inverse(per_rise(direction)), inverse(per_fall(direction)),
+            BoxSides(static_cast<std::size_t>(i), false)};
   }
 
   Axis axes_[3];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/box_probe.hpp"
+#include "geometry/bvh_walk.hpp"
 #include "geometry/convex_cut.hpp"
 #include "geometry/lane_tree.hpp"
 #include "geometry/line_query.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/box_probe.hpp"
+#include "geometry/bvh_walk.hpp"
 #include "geometry/contact.hpp"
 #include "geometry/traced_solid.hpp"
 

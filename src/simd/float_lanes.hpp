@@ -4,6 +4,11 @@
 #include "simd/lane.hpp"
 
 #include <algorithm>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 /// Eight floats side by side, for what only has to be told apart: bounds, never results. The words
 /// are those of lane_types.hpp.
@@ -20,13 +25,14 @@ struct Float8 {
   Float8(float all) : low{all, all, all, all}, high{all, all, all, all} {}
   Float8(Half const& a, Half const& b) : low(a), high(b) {}
   static Float8 load(float const* from) {
-    return {Half{from[0], from[1], from[2], from[3]}, Half{from[4], from[5], from[6], from[7]}};
+    Half a, b;
+    std::memcpy(&a, from, sizeof a);
+    std::memcpy(&b, from + 4, sizeof b);
+    return {a, b};
   }
   void store(float* to) const {
-    for (int i = 0; i < 4; ++i) {
-      to[i] = low[i];
-      to[i + 4] = high[i];
-    }
+    std::memcpy(to, &low, sizeof low);
+    std::memcpy(to + 4, &high, sizeof high);
   }
   friend Float8 operator+(Float8 const& a, Float8 const& b) {
     return {a.low + b.low, a.high + b.high};
@@ -51,6 +57,27 @@ struct Float8 {
   friend bool every(Mask const& a) {
     auto const of_both = a.low & a.high;
     return (of_both[0] & of_both[1] & of_both[2] & of_both[3]) != 0;
+  }
+  /// A bit a lane.
+  friend unsigned bits(Mask const& a) {
+#if defined(__SSE2__)
+    auto const half = [](MaskHalf const& m) {
+      return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
+    };
+    return half(a.low) | half(a.high) << 4;
+#else
+    unsigned out = 0;
+    for (int i = 0; i < 4; ++i)
+      out |= (a.low[i] != 0 ? 1U : 0U) << i | (a.high[i] != 0 ? 1U : 0U) << (i + 4);
+    return out;
+#endif
+  }
+  /// The second where one is not a number.
+  friend Float8 least(Float8 const& a, Float8 const& b) {
+    return {a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
+  }
+  friend Float8 most(Float8 const& a, Float8 const& b) {
+    return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
   }
 };
 
@@ -87,8 +114,17 @@ struct WideFloat8 {
   friend WideFloat8 select(Mask const& mask, WideFloat8 const& a, WideFloat8 const& b) {
     return WideFloat8(mask.v ? a.v : b.v);
   }
-  __attribute__((target("avx2"))) friend bool every(Mask const& a) {
-    return _mm256_movemask_ps(_mm256_castsi256_ps(reinterpret_cast<__m256i>(a.v))) == 0xff;
+  __attribute__((target("avx2"))) friend bool every(Mask const& a) { return bits(a) == 0xff; }
+  __attribute__((target("avx2"))) friend unsigned bits(Mask const& a) {
+    return static_cast<unsigned>(
+        _mm256_movemask_ps(_mm256_castsi256_ps(reinterpret_cast<__m256i>(a.v))));
+  }
+  __attribute__((target("avx2"))) friend WideFloat8 least(WideFloat8 const& a,
+                                                          WideFloat8 const& b) {
+    return WideFloat8(_mm256_min_ps(a.v, b.v));
+  }
+  __attribute__((target("avx2"))) friend WideFloat8 most(WideFloat8 const& a, WideFloat8 const& b) {
+    return WideFloat8(_mm256_max_ps(a.v, b.v));
   }
 };
 #pragma GCC diagnostic pop

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/mesh.hpp"
 
-#include "geometry/box_probe.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -72,16 +71,14 @@ void Mesh::build() const {
 
 template <class Visit>
 void Mesh::each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const {
-  Bvh const& bvh = hierarchy();
-  // The hierarchy sees exactly the line that the triangles see.
-  NodeProbe const probe(Ray{line.point, line.direction, Vec3(0)}, bvh.space());
-  walk(bvh, probe, from, to, [&](std::uint32_t face) {
+  Bvh const& bvh = hierarchy(); // sorts the faces
+  TriangleWalk walk(bvh, line, data_.vertices.data(), data_.faces.data(), from);
+  for (std::uint32_t face = 0; walk.next(to, face);) {
     Corners const& f = data_.faces[face];
     auto const hit =
         hit_triangle(line, data_.vertices[f[0]], data_.vertices[f[1]], data_.vertices[f[2]]);
     if (hit) visit(face, *hit);
-    return true;
-  });
+  }
 }
 
 void Mesh::crossings(Ray const& ray, Start const* start, Crossings& out) const {

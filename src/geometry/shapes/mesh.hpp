@@ -3,9 +3,8 @@
 
 #include "geometry/bvh.hpp"
 #include "geometry/shape.hpp"
-#include "geometry/shapes/triangle_test.hpp"
+#include "geometry/shapes/triangle_walk.hpp"
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
@@ -13,9 +12,6 @@
 #include <vector>
 
 namespace abbe::geometry {
-
-/// Corners of the faces of a mesh, as indices.
-using Corners = std::array<std::uint32_t, 3>;
 
 /// What a mesh is made of. Index lists that are empty: normals or uv have the same corners as the
 /// faces when there are normals or uv at all.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/box_probe.hpp"
+#include "geometry/bvh_walk.hpp"
 #include "geometry/fan_probe.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ BvhSpace space_of(std::vector<Bounds> const& boxes) {
   for (Bounds const& box : boxes) finder.add(box.low, box.high);
   return finder.space();
 }
-Bvh bvh_of(std::vector<Bounds> const& boxes, std::uint32_t leaf_size = 2) {
+Bvh bvh_of(std::vector<Bounds> const& boxes, std::uint32_t leaf_size = 1) {
   BvhSpace const space = space_of(boxes);
   std::vector<BvhBox> small;
   for (Bounds const& box : boxes)
@@ -73,7 +73,7 @@ private:
   using Way = std::vector<std::pair<BvhNode const*, std::size_t>>;
   void look(std::uint32_t number, Way const& way) {
     BvhNode const& node = bvh_.nodes()[number];
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < BvhNode::width; ++k) {
       Way on = way;
       on.push_back({&node, k});
       if (node.count[k] == BvhNode::inner) {
