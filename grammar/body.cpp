@@ -21,6 +21,17 @@ Iterator find_end_of_body(Iterator at, Iterator last) {
   }
 }
 
+Iterator find_end_of_question(Iterator at, Iterator end) {
+  int open = 0;
+  do {
+    Token const token = next_token(at, end);
+    if (token.kind == TokenKind::End) return end;
+    at = token.end;
+    open += (token.text() == "(") - (token.text() == ")");
+  } while (open > 0);
+  return open == 0 && *(at - 1) == ')' ? at : end;
+}
+
 bool may_be_text(SyntaxError const& error) {
   return error.code != "E0102" && error.code != "E0103" && !error.code.starts_with("E07");
 }

@@ -125,9 +125,7 @@ struct BracketDirective : x3::unary_parser<Subject, BracketDirective<Subject>>, 
     Nest nest(state, opener);
     bool const block = open_ == '{';
     Flavour const flavour = state.flavour;
-    state.flavour = flavour_ == Flavour::Bare && flavour == Flavour::Function && open_ == '('
-                        ? Flavour::Function
-                        : flavour_;
+    state.flavour = flavour == Flavour::Function && open_ == '(' ? flavour : flavour_;
     char const outer_bracket = std::exchange(state.bracket, open_);
     ++state.brackets;
     state.braces += block;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grammar/body.hpp"
 #include "grammar/directive.hpp"
 #include "grammar/expression.hpp"
 #include "grammar/item.hpp"
@@ -34,7 +35,7 @@ auto const branch_def = (test(hash("if"), Test::If) > condition > body)
                         | (test(hash("ifndef"), Test::Ifndef) > named_condition > body);
 
 x3::rule<MoreId, ast::If::Branch> const more = "'#else'";
-auto const more_def = (test(hash("elseif"), Test::If) > condition > body)
+auto const more_def = (test(hash("elseif"), Test::If) > question(condition) > body)
                       | (test(hash("else"), Test::Else) > x3::attr(ast::Expr{}) > body);
 
 x3::rule<IfId, ast::If> const if_ = "'#if'";
@@ -58,8 +59,8 @@ auto const two_bounds_def = mark('(') > full_expression > -mark(',') > full_expr
 
 x3::rule<ClauseId, ast::Switch::Clause> const clause = "'#case'";
 auto const clause_def =
-    (kind(hash("case"), Kind::Case) > one_bound > body)
-    | (kind(hash("range"), Kind::Range) > two_bounds > body)
+    (kind(hash("case"), Kind::Case) > question(one_bound) > body)
+    | (kind(hash("range"), Kind::Range) > question(two_bounds) > body)
     | (kind(hash("else"), Kind::Else) > x3::attr(std::vector<ast::Expr>{}) > body);
 
 x3::rule<SwitchId, ast::Switch> const switch_ = "'#switch'";

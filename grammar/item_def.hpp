@@ -7,6 +7,7 @@
 #include "grammar/item.hpp"
 #include "grammar/open_blocks.hpp"
 #include "grammar/operators.hpp"
+#include "grammar/repeat_info.hpp"
 
 namespace abbe::grammar::rules {
 

@@ -15,5 +15,15 @@ struct get_info<repeat_directive<Subject, Bounds>> {
     return what(parser.subject);
   }
 };
+template <typename Subject>
+struct get_info<plus<Subject>> {
+  using result_type = std::string;
+  std::string operator()(plus<Subject> const& parser) const { return what(parser.subject); }
+};
+template <typename Subject, typename Mark>
+struct get_info<list<Subject, Mark>> {
+  using result_type = std::string;
+  std::string operator()(list<Subject, Mark> const& parser) const { return what(parser.left); }
+};
 
 } // namespace boost::spirit::x3

@@ -3,6 +3,7 @@
 #include "lang/arrays.hpp"
 #include "lang/function.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/pasted.hpp"
 #include "lang/spline.hpp"
 
 #include <algorithm>
@@ -43,16 +44,17 @@ bool ReaderImpl::goes_on(bool walled, Next kind, std::string_view word) {
 }
 
 /// `White filter .5`: keywords that set components of the colour read so far.
-Value ReaderImpl::finish_colour(Numeric n, bool walled) {
+Value ReaderImpl::finish_colour(Numeric n, bool walled, Span at) {
   if (n.size == 5) n.colour = true;
   Value value;
-  while (n.size == 5) {
+  while (n.size == 5 && !(walled ? comma_follows(at) : comma_behind(at))) {
     constexpr std::string_view parts[] = {"red", "green", "blue", "filter", "transmit"};
     auto const part = std::find_if(std::begin(parts), std::end(parts), [&](std::string_view word) {
       return goes_on(walled, Next::Word, word);
     });
     if (part == std::end(parts)) break;
     consume();
+    at = value_span();
     n.c[static_cast<std::size_t>(part - parts)] = number(*part);
   }
   value.any = n;
@@ -86,9 +88,10 @@ Value ReaderImpl::read_value(bool walled) {
   Value value;
   switch (next()) {
   case Next::Numeric: {
+    Span const at = value_span();
     Numeric const n = evaluate_peeked();
     consume();
-    return finish_colour(n, walled);
+    return finish_colour(n, walled, at);
   }
   case Next::String:
     value.any = string("a string");
@@ -217,19 +220,43 @@ void ReaderImpl::execute(ast::Declare const& there) {
     in_.error("E0105", std::string(text), place);
 }
 
+void ReaderImpl::yields_nothing(ast::Call const& call) {
+  in_.error("E0307",
+            fmt::format("macro '{}' yields nothing where a value is needed", call.callee.text),
+            call.span);
+}
+
 Value ReaderImpl::macro_value(ast::Call const& call, MacroValue const& macro) {
   static ast::Items const nothing;
   enter_region(nothing, call.span);
   push_macro(call, macro);
   Value value;
   if (next() == Next::End)
-    in_.error("E0307",
-              fmt::format("macro '{}' yields nothing where a value is needed", call.callee.text),
-              call.span);
+    yields_nothing(call);
   else
     value = read_value();
   leave_region();
   return value;
+}
+
+void ReaderImpl::paste(ast::Call const& call, MacroValue const& macro, Pasted& into) {
+  static ast::Items const nothing;
+  enter_region(nothing, call.span);
+  push_macro(call, macro);
+  ast::Expr const* const expr = next() == Next::Numeric && peek_.value == nullptr
+                                        && peek_.split == nullptr && peek_.rest == nullptr
+                                    ? peek_.expr
+                                    : nullptr;
+  if (peek_.next == Next::End) {
+    yields_nothing(call);
+    into.add(Value{}, call.span);
+  } else if (expr != nullptr) {
+    into.add(*expr);
+    consume();
+  } else {
+    into.add(read_value(), call.span);
+  }
+  leave_region();
 }
 
 /// The cell of a name or of an element of an array, which a parameter shares; else null.

@@ -5,7 +5,9 @@
 #include "lang/interpreter.hpp"
 #include "lang/spline.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace abbe::lang {
 namespace {
@@ -82,6 +84,28 @@ private:
   std::string_view function_;
 };
 
+/// Commas between arguments are optional, but not where there may be any number of them (`min`):
+/// the call with an argument for each expression, if some stand in a row.
+std::optional<ast::Call> apart(ast::Call const& node) {
+  auto const whole = [](ast::Items const& items) {
+    return std::ranges::all_of(
+        items, [](ast::Item const& item) { return boost::relaxed_get<ast::Expr>(&item.get()); });
+  };
+  bool const in_a_row = std::ranges::any_of(
+      node.arguments, [&](ast::Items const& items) { return items.size() > 1 && whole(items); });
+  if (!in_a_row) return std::nullopt;
+  ast::Call call = node;
+  call.arguments.clear();
+  for (ast::Items const& items : node.arguments) {
+    if (!whole(items)) {
+      call.arguments.push_back(items);
+      continue;
+    }
+    for (ast::Item const& item : items) call.arguments.push_back({item});
+  }
+  return call;
+}
+
 /// Number or text of a built-in function; an empty Value after an error.
 Value call_builtin(Interpreter& in, Builtin const& function, ast::Call const& node) {
   CallContext context{in, node.span, function.name};
@@ -139,7 +163,11 @@ Numeric CallContext::fail(std::string_view message) {
 
 Value Expressions::call(ast::Call const& node) {
   Symbol const symbol = in_.scope.symbol(node.callee);
-  if (Builtin const* const builtin = find_builtin(symbol)) return call_builtin(in_, *builtin, node);
+  if (Builtin const* const builtin = find_builtin(symbol)) {
+    bool const any_number = builtin->signature.ends_with('*') && !builtin->yields_string;
+    auto const split = any_number ? std::nullopt : apart(node);
+    return call_builtin(in_, *builtin, split ? *split : node);
+  }
   Value value;
   Value const* const called = callee(node);
   if (!called) return value;
@@ -147,7 +175,8 @@ Value Expressions::call(ast::Call const& node) {
     MacroValue const copy = *macro; // the macro may redefine itself
     return in_.reader.macro_value(node, copy);
   }
-  Numeric const n = call_numeric(node, *called);
+  auto const split = apart(node);
+  Numeric const n = call_numeric(split ? *split : node, *called);
   if (!n.poisoned()) value.any = n;
   return value;
 }

@@ -103,14 +103,14 @@ void ReaderImpl::classify_call(ast::Call const& call, Span span) {
 
 namespace {
 
-/// The first operand of a chain of operators, if it is a name or a string and a sign follows it.
+/// The first operand of a chain of operators, if it is a name, an element, a call or a string and
+/// a sign follows it.
 ast::Expr const* before_sign(ast::Binary const& node) {
   if (auto const* const inner = ast::get_if<ast::Binary>(node.left)) return before_sign(*inner);
   if (node.op != ast::BinaryOp::Add && node.op != ast::BinaryOp::Sub) return nullptr;
   auto const* const name = ast::get_if<ast::Name>(node.left);
-  auto const* const call = ast::get_if<ast::Call>(node.left);
   bool const may = (name != nullptr && !name->reserved) || ast::get_if<ast::String>(node.left)
-                   || (call != nullptr && !call->callee.reserved);
+                   || ast::get_if<ast::Call>(node.left) || ast::get_if<ast::Index>(node.left);
   return may ? &node.left : nullptr;
 }
 
@@ -149,7 +149,10 @@ bool ReaderImpl::classify_sum(ast::Expr const& expr, ast::Binary const& sum) {
         || std::holds_alternative<std::shared_ptr<optics::Spectrum const>>(value->any);
     if (number) return false;
   }
-  if (auto const* const call = ast::get_if<ast::Call>(*first)) {
+  if (ast::get_if<ast::Index>(*first) && !in_.expressions.is_string(*first)) return false;
+  if (auto const* const call = ast::get_if<ast::Call>(*first); call && call->callee.reserved) {
+    if (!in_.expressions.is_string(*first)) return false;
+  } else if (call != nullptr) {
     Value const* const value = in_.scope.find(in_.scope.symbol(call->callee));
     auto const* const macro = value ? std::get_if<MacroValue>(&value->any) : nullptr;
     if (macro == nullptr || !yields_block(*macro)) return false;

@@ -42,8 +42,8 @@ Colour colour_of(Numeric const& value, int replicate) {
   return {Vec3(five.c[0], five.c[1], five.c[2]), five.c[3], five.c[4], nullptr};
 }
 
-Colour read_vector_form(Reader& in, VectorForm const& form) {
-  Span const at = in.next_span();
+Colour read_vector_form(Reader& in, VectorForm const& form, Span& at) {
+  at = in.value_span();
   Numeric const value = in.numeric("colour", form.components);
   Colour colour = colour_of(value, form.components);
   if (form.fourth_is_transmit) {
@@ -62,21 +62,28 @@ Colour read_vector_form(Reader& in, VectorForm const& form) {
   return colour;
 }
 
-/// `red e`, `filter e` ...: sets one component.
-bool read_component(Reader& in, Colour& colour) {
-  if (in.accept("red"))
-    colour.rgb.x = in.number("red");
-  else if (in.accept("green"))
-    colour.rgb.y = in.number("green");
-  else if (in.accept("blue"))
-    colour.rgb.z = in.number("blue");
-  else if (in.accept("filter"))
-    colour.filter = in.number("filter");
-  else if (in.accept("transmit"))
-    colour.transmit = in.number("transmit");
-  else
-    return false;
-  return true;
+/// `red e`, `filter e` ...: each sets one component. A comma ends the colour.
+/// @return was there any?
+bool read_components(Reader& in, Colour& colour) {
+  struct {
+    std::string_view word;
+    double& component;
+  } const parts[] = {{"red", colour.rgb.x},
+                     {"green", colour.rgb.y},
+                     {"blue", colour.rgb.z},
+                     {"filter", colour.filter},
+                     {"transmit", colour.transmit}};
+  bool any = false;
+  while (!in.at_end()) {
+    auto const part =
+        std::ranges::find_if(parts, [&](auto const& one) { return in.accept(one.word); });
+    if (part == std::end(parts)) break;
+    any = true;
+    Span const at = in.value_span();
+    part->component = in.number(part->word);
+    if (in.comma_follows(at)) break;
+  }
+  return any;
 }
 
 /// A declared spectrum, alone or scaled.
@@ -93,11 +100,14 @@ std::optional<Colour> accept_spectrum_name(Reader& in) {
   return std::nullopt;
 }
 
-/// The part of a colour before its `filter e` and the like. `bare`: may a vector stand alone?
-std::optional<Colour> accept_start(Reader& in, bool bare) {
+/// The part of a colour before its `filter e` and the like.
+/// @param bare may a vector stand alone?
+/// @param at where its value stands, for comma_follows()
+std::optional<Colour> accept_start(Reader& in, bool bare, Span& at) {
   if (in.next() == Next::Word)
     for (VectorForm const& form : vector_forms)
-      if (in.accept(form.word)) return read_vector_form(in, form);
+      if (in.accept(form.word)) return read_vector_form(in, form, at);
+  at = in.value_span();
   if (in.open("spectrum")) {
     Colour colour{Vec3(1), 0, 0, read_spectrum(in)};
     in.close();
@@ -105,7 +115,6 @@ std::optional<Colour> accept_start(Reader& in, bool bare) {
   }
   if (auto named = accept_spectrum_name(in)) return named;
   if (!in.has_value()) return std::nullopt;
-  Span const at = in.next_span();
   Numeric const value = in.numeric("colour");
   if (!bare && !value.colour && !value.poisoned())
     in.report(Severity::Error, "E0354",
@@ -118,8 +127,7 @@ std::optional<Colour> accept_start(Reader& in, bool bare) {
 } // namespace
 
 Colour read_colour_parts(Reader& in, Colour start) {
-  while (!in.at_end() && read_component(in, start)) {
-  }
+  read_components(in, start);
   return start;
 }
 
@@ -127,10 +135,11 @@ namespace {
 
 std::optional<Colour> accept_any(Reader& in, bool bare) {
   bool const announced = in.accept("color") || in.accept("colour");
-  std::optional<Colour> colour = accept_start(in, bare || announced);
+  Span at;
+  std::optional<Colour> colour = accept_start(in, bare || announced, at);
   Colour parts = colour.value_or(Colour{});
   bool any = colour.has_value();
-  while (!in.at_end() && read_component(in, parts)) any = true;
+  if (!any || !in.comma_follows(at)) any = read_components(in, parts) || any;
   if (!any && announced) {
     in.report(Severity::Error, "E0250", "expected a colour after 'color'", in.next_span());
     return Colour{};

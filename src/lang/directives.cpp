@@ -76,7 +76,13 @@ void ReaderImpl::execute(ast::While const& node) {
 
 void ReaderImpl::execute(ast::For const& node) {
   in_.check_limits(node.span);
-  if (node.arguments.size() < 2) return;
+  if (node.arguments.size() < 2 || node.arguments.size() > 3) {
+    in_.error("E0320",
+              fmt::format("#for takes a first and a last value and perhaps a step, not {} value{}",
+                          node.arguments.size(), node.arguments.size() == 1 ? "" : "s"),
+              node.span);
+    return;
+  }
   auto const from = in_.expressions.number(node.arguments[0], "the first value of #for");
   auto const to = in_.expressions.number(node.arguments[1], "the last value of #for");
   std::optional<double> by = 1;

@@ -5,6 +5,7 @@
 #include "lang/block_function.hpp"
 #include "lang/function.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/pasted.hpp"
 #include "lang/spline.hpp"
 
 #include <cmath>
@@ -48,13 +49,15 @@ std::optional<bool> Expressions::condition(ast::Expr const& expr) {
 }
 
 std::string Expressions::string(ast::Expr const& expr, std::string_view what) {
-  Value const v = value(expr);
+  return text_of(value(expr), what, ast::span_of(expr));
+}
+
+std::string Expressions::text_of(Value const& v, std::string_view what, Span span) {
   if (auto const* text = std::get_if<std::string>(&v.any)) return *text;
   auto const* number = std::get_if<Numeric>(&v.any);
   bool const reported = v.empty() || (number && number->poisoned());
   if (!reported)
-    in_.error("E0301", fmt::format("expected {} (a string), found {}", what, type_name(v)),
-              ast::span_of(expr));
+    in_.error("E0301", fmt::format("expected {} (a string), found {}", what, type_name(v)), span);
   return {};
 }
 
@@ -211,25 +214,49 @@ Numeric Expressions::operator()(ast::Vector const& node) {
   return bad ? poison() : n;
 }
 
-Numeric Expressions::operator()(ast::Unary const& node) {
-  Numeric n = numeric(node.operand);
+Numeric with_sign(ast::UnaryOp op, Numeric n) {
   for (std::size_t i = 0; i < n.size; ++i) {
-    if (node.op == ast::UnaryOp::Minus) n.c[i] = -n.c[i];
-    if (node.op == ast::UnaryOp::Not) n.c[i] = std::abs(n.c[i]) > 1e-10 ? 0 : 1;
+    if (op == ast::UnaryOp::Minus) n.c[i] = -n.c[i];
+    if (op == ast::UnaryOp::Not) n.c[i] = std::abs(n.c[i]) > 1e-10 ? 0 : 1;
   }
   return n;
 }
 
+Numeric Expressions::operator()(ast::Unary const& node) {
+  if (!Pasted::calls_macro(node.operand, in_)) return with_sign(node.op, numeric(node.operand));
+  Pasted pasted(in_);
+  pasted.add(node);
+  return to_numeric(pasted.value(), node.span);
+}
+
 Numeric Expressions::operator()(ast::Binary const& node) {
+  if (!Pasted::calls_macro(node, in_)) return plain(node);
+  Pasted pasted(in_);
+  pasted.add(node);
+  return to_numeric(pasted.value(), node.span);
+}
+
+/// Of operators and operands of which no macro writes any.
+Numeric Expressions::plain(ast::Binary const& node) {
   if (node.op >= ast::BinaryOp::Less && is_string(node.left)) {
     std::string const left = string(node.left, "a text to be compared");
-    std::string const right = string(node.right, "a text to be compared");
-    auto const order = static_cast<double>(left.compare(right));
-    return binary(node.op, scalar_of(order), scalar_of(0), node.span);
+    return comparison(node.op, left, value(node.right), ast::span_of(node.right));
   }
-  Numeric const left = numeric(node.left);
-  Numeric const right = numeric(node.right);
+  Numeric const left = operand(node.left);
+  Numeric const right = operand(node.right);
   return binary(node.op, left, right, node.span);
+}
+
+Numeric Expressions::operand(ast::Expr const& expr) {
+  auto const* const inner = ast::get_if<ast::Binary>(expr);
+  return inner != nullptr ? plain(*inner) : numeric(expr);
+}
+
+Numeric Expressions::comparison(ast::BinaryOp op, std::string const& left, Value const& right,
+                                Span span) {
+  auto const order =
+      static_cast<double>(left.compare(text_of(right, "a text to be compared", span)));
+  return binary(op, scalar_of(order), scalar_of(0), span);
 }
 
 Numeric Expressions::operator()(ast::Conditional const& node) {

@@ -74,12 +74,19 @@ public:
   /// `S * f`, `f * S` where S is a spectrum or a colour with one. nullopt, and nothing evaluated,
   /// when neither operand can be one; the ordinary product when it turns out that neither is.
   std::optional<Value> spectral_product(ast::Binary const&);
+  /// A product or quotient of values, of which one may be a spectrum.
+  Value product(ast::BinaryOp, Value const& left, Span, Value const& right, Span);
+  /// The order of two strings as `op` asks for it. A right side that is none is reported.
+  Numeric comparison(ast::BinaryOp, std::string const& left, Value const& right, Span);
   /// The value as a number, reported when it is none.
   Numeric to_numeric(Value const&, Span);
   /// A call of anything but a macro, on evaluated arguments.
   Value call(ast::Call const&);
 
 private:
+  Numeric plain(ast::Binary const&);
+  Numeric operand(ast::Expr const&);
+  std::string text_of(Value const&, std::string_view what, Span);
   Numeric call_numeric(ast::Call const&, Value const& callee);
   /// What is called, nullptr (reported) when it is nothing.
   Value const* callee(ast::Call const&);
@@ -88,6 +95,13 @@ private:
 
   Interpreter& in_;
 };
+
+Numeric with_sign(ast::UnaryOp, Numeric);
+/// From the first to the second, which may stand in another text.
+inline Span joined(Span first, Span second) {
+  bool const one = first.source == second.source && second.end > first.begin;
+  return one ? Span{first.source, first.begin, second.end} : first;
+}
 
 inline Numeric poison() {
   Numeric n;

@@ -264,10 +264,10 @@ struct Machine {
       return yes(run(node.a) == run(node.b));
     case Kind::NotEqual:
       return yes(run(node.a) != run(node.b));
-    case Kind::GreaterEqual:
-      return yes(run(node.a) >= run(node.b));
+    case Kind::GreaterEqual: // what is not a number is greater than all, as POV-Ray's
+      return yes(!(run(node.a) < run(node.b)));
     case Kind::Greater:
-      return yes(run(node.a) > run(node.b));
+      return yes(!(run(node.a) <= run(node.b)));
     case Kind::Negate:
       return -run(node.a);
     case Kind::Builtin:
@@ -286,9 +286,11 @@ struct Machine {
     case Kind::Min:
     case Kind::Max: {
       double value = operand(node, 0);
-      for (std::uint32_t i = 1; i < node.b; ++i)
-        value = node.kind == Kind::Min ? std::min(value, operand(node, i))
-                                       : std::max(value, operand(node, i));
+      for (std::uint32_t i = 1; i < node.b; ++i) {
+        double const other = operand(node, i);
+        bool const less = value < other; // of what is not a number: not, and so POV-Ray decides
+        value = less == (node.kind == Kind::Min) ? value : other;
+      }
       return value;
     }
     case Kind::Select: {

@@ -2,6 +2,7 @@
 // Arithmetic and comparison, component by component.
 #include "lang/expression.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/pasted.hpp"
 
 #include <cmath>
 #include <limits>
@@ -29,14 +30,14 @@ double apply(Op op, double a, double b) {
     return yes(std::abs(a) > eps || std::abs(b) > eps);
   case Op::Less:
     return yes(a < b);
-  case Op::LessEqual:
-    return yes(a <= b + eps);
+  case Op::LessEqual: // what is not a number is equal to all, as POV-Ray's
+    return yes(!(a > b + eps));
   case Op::Equal:
-    return yes(std::abs(a - b) <= eps);
+    return yes(!(std::abs(a - b) > eps));
   case Op::NotEqual:
     return yes(std::abs(a - b) > eps);
   case Op::GreaterEqual:
-    return yes(a + eps >= b);
+    return yes(!(a + eps < b));
   case Op::Greater:
     return yes(a > b);
   }
@@ -101,27 +102,36 @@ Numeric Expressions::binary(Op op, Numeric const& a, Numeric const& b, Span span
 }
 
 std::optional<Value> Expressions::spectral_product(ast::Binary const& node) {
-  bool const product = node.op == Op::Mul || node.op == Op::Div;
-  if (!product || !(may_be_spectral(node.left, in_) || may_be_spectral(node.right, in_)))
+  bool const may = node.op == Op::Mul || node.op == Op::Div;
+  if (!may || !(may_be_spectral(node.left, in_) || may_be_spectral(node.right, in_)))
     return std::nullopt;
-  Value const left = value(node.left);
-  Value const right = value(node.right);
+  if (Pasted::calls_macro(node, in_)) {
+    Pasted pasted(in_);
+    pasted.add(node);
+    return pasted.value();
+  }
+  return product(node.op, value(node.left), ast::span_of(node.left), value(node.right),
+                 ast::span_of(node.right));
+}
+
+Value Expressions::product(Op op, Value const& left, Span left_at, Value const& right,
+                           Span right_at) {
   auto colour = spectral(left);
-  bool const swapped = !colour && node.op == Op::Mul;
+  bool const swapped = !colour && op == Op::Mul;
   if (swapped) colour = spectral(right);
   Value result;
   if (!colour) {
-    result.any = binary(node.op, to_numeric(left, ast::span_of(node.left)),
-                        to_numeric(right, ast::span_of(node.right)), node.span);
+    Numeric const a = to_numeric(left, left_at);
+    result.any = binary(op, a, to_numeric(right, right_at), joined(left_at, right_at));
     return result;
   }
-  Numeric const n = to_numeric(swapped ? left : right, node.span);
+  Numeric const n = to_numeric(swapped ? left : right, swapped ? left_at : right_at);
   if (n.poisoned()) {
     result.any = n;
     return result;
   }
   Vec3 const factor = n.promoted(3).vec3();
-  colour->rgb = node.op == Op::Mul ? colour->rgb * factor : colour->rgb / factor;
+  colour->rgb = op == Op::Mul ? colour->rgb * factor : colour->rgb / factor;
   result.any = *colour;
   return result;
 }

@@ -48,6 +48,9 @@ public:
   /// Opens a Block whatever its head (after next() == Block), or a headless one `{ }`.
   virtual bool open_any() = 0;
 
+  /// Where the next value stands, to ask comma_follows() about when it is read.
+  virtual Span value_span() = 0;
+  virtual bool comma_follows(Span value) = 0;
   /// The next expression with at least `minimum` components after promotion, at most 5.
   virtual Numeric numeric(std::string_view name, int minimum = 1) = 0;
   virtual std::string string(std::string_view name) = 0;

@@ -178,7 +178,7 @@ void ReaderImpl::enter_region(ast::Items const& items, Span span, bool falls) {
   frame.falls = falls;
   push(std::move(frame));
   frames_.back().full = in_parentheses_;
-  entered_.push_back({false, std::exchange(in_parentheses_, false)});
+  entered_.push_back({false, std::exchange(in_parentheses_, false), comma_});
 }
 
 bool ReaderImpl::leave_region() {
@@ -190,6 +190,7 @@ bool ReaderImpl::leave_region() {
   Entered const left = entered_.back();
   entered_.pop_back();
   in_parentheses_ = left.full;
+  comma_ = left.comma;
   return !left.fallen;
 }
 

@@ -16,6 +16,8 @@
 
 namespace abbe::lang {
 
+class Pasted;
+
 /// The reader over the syntax tree: a stack of frames, each a list of items, a position in it, and
 /// what to do at its end (go round a loop, leave a macro's table of names ...). Directives push and
 /// pop frames, so that what a macro, a loop or an included file yields is simply what comes next.
@@ -55,6 +57,8 @@ public:
   std::string_view next_word() override;
   bool open_bracket() override;
   bool open_any() override;
+  Span value_span() override;
+  bool comma_follows(Span value) override;
   Numeric numeric(std::string_view name, int minimum) override;
   std::vector<double> components(std::string_view name, int count) override;
   std::string string(std::string_view name) override;
@@ -94,6 +98,8 @@ public:
   Value block_value(ast::Block const&);
   /// A macro called where a value is wanted.
   Value macro_value(ast::Call const&, MacroValue const&);
+  /// A macro called as an operand: adds what it yields.
+  void paste(ast::Call const&, MacroValue const&, Pasted& into);
   /// "called from", "included from": innermost first, shortened.
   std::vector<Diagnostic::Note> chain() const;
   /// The source that the innermost directive stands in.
@@ -227,7 +233,8 @@ private:
   Scope::Cell shared_cell(ast::Expr const&);
   std::optional<std::size_t> arguments_in_a_row(ast::Call const&, std::vector<Scope::Cell>&);
   void push_macro(ast::Call const&, MacroValue const&);
-  Value finish_colour(Numeric first, bool walled);
+  void yields_nothing(ast::Call const&);
+  Value finish_colour(Numeric first, bool walled, Span at);
   /// Is the next item of that sort one that a value goes on with?
   bool goes_on(bool walled, Next, std::string_view word);
 
@@ -267,6 +274,7 @@ private:
   struct Entered {
     bool fallen; ///< has its wall fallen?
     bool full;   ///< in_parentheses_ outside of it
+    bool comma;  ///< comma_ outside of it
   };
   std::vector<Entered> entered_; ///< the regions that were entered and not left
   bool in_parentheses_ = false;  ///< is the expression being evaluated the content of some?

@@ -129,13 +129,18 @@ void ReaderImpl::close_at_wall() {
   in_.abort();
 }
 
-/// The wall of the innermost region falls: what comes next stands behind it.
+/// The wall of the innermost region falls: what comes next is what it has left, then what stands
+/// behind it.
 void ReaderImpl::fall() {
   std::size_t i = frames_.size() - 1;
   while (!frames_[i].wall()) --i;
-  frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(i));
-  for (OpenBlock& open : open_blocks_)
-    if (open.frame > i) --open.frame;
+  if (frames_[i].position < frames_[i].items->size()) {
+    frames_[i].kind = Frame::Kind::Splice;
+  } else {
+    frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(i));
+    for (OpenBlock& open : open_blocks_)
+      if (open.frame > i) --open.frame;
+  }
   std::find_if(entered_.rbegin(), entered_.rend(), [](Entered const& e) {
     return !e.fallen;
   })->fallen = true;

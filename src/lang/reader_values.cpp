@@ -94,6 +94,18 @@ Numeric ReaderImpl::evaluate_peeked() {
   return in_.expressions.numeric(*peek_.expr);
 }
 
+Span ReaderImpl::value_span() {
+  Span const span = next_span();
+  comma_ = false;
+  return span;
+}
+
+bool ReaderImpl::comma_follows(Span value) {
+  if (comma_behind(value)) return true;
+  next(); // leaves the macros that end here
+  return comma_;
+}
+
 Numeric ReaderImpl::numeric(std::string_view name, int minimum) {
   if (next() != Next::Numeric) {
     missing(name, minimum == 1 ? "a number" : size_names[minimum]);

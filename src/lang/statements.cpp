@@ -56,6 +56,7 @@ void ReaderImpl::message(ast::Directive const& node) {
   if (!node.arguments.empty() || node.word == "error") {
     enter_region(node.arguments, node.span);
     text = string("the text of the message");
+    if (upcoming() != nullptr) fall(); // `#debug S -1`: the sign belongs to what follows
     leave_region();
   }
   if (node.word == "warning") {

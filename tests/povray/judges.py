@@ -74,10 +74,15 @@ class Povray:
         hangs, status, debug, fatal = self.start(str(self.paths[i]))
         if hangs or status < 0:
             self.verdicts[i] = Verdict('hangs' if hangs else 'crashes')
-        elif status:
+            return
+        if status:
             self.verdicts[i] = Verdict('refuses', message_of(fatal))
-        else:
-            self.verdicts[i] = Verdict('reads', '', said(debug))
+            return
+        if debug[-1:] != '\n':  # povray keeps the rest of a line to itself
+            whole = self.paths[i].with_suffix('.whole.pov')
+            whole.write_bytes(self.paths[i].read_bytes() + b'\n#debug "\\n"\n')
+            debug = self.start(str(whole))[2]
+        self.verdicts[i] = Verdict('reads', '', said(debug))
 
     @staticmethod
     def start(scene: str, text: str = '') -> tuple:
@@ -105,7 +110,7 @@ class Povray:
         for i in which:
             text += f'#include "clean.inc"\n#debug "@{i}@\\n"\n#include "{self.paths[i]}"\n'
         hangs, status, debug, fatal = self.start('all.pov', text + f'#debug "@end@\\n"\n#error "{DONE}"\n')
-        pieces = re.split(r'@(\d+|end)@', debug)
+        pieces = re.split(r'@(\d+|end)@', debug.replace('\n', ''))  # lines are broken anywhere
         names, shown = pieces[1::2], pieces[2::2]
         if names and names[-1] == 'end' and DONE in ' '.join(fatal.split()):
             names.pop()

@@ -27,20 +27,47 @@ KNOWN = [
     ("| a macro's name for a value", r'Attempted to redefine .* identifier as .* identifier\.', r'', ANY),
     ("| a parameter of the macro's own name", r"Can't invoke a macro while declaring its parameters", r'',
      r'.*#macro (N\d+) \(.*\b\1\b.*'),
-    ('| one comma too many', r"Expected '.*', , found instead", r'', r'.*(?:<|\(|,) ,.*'),
+    ('| one comma too many', r".*, , found instead", r'', ANY),
+    ('| one comma too many', r"Expected '.*', [)>] found instead", r'', r'.*, [)>].*'),
+    ('| one comma too many', r'#switch not followed by #case or #range\.', r'', r'.*#switch \(.*\) ,.*'),
+    ('| a `;` too many', r"Expected 'object or directive', ; found instead", r'', r'.*[;)}] ;.*'),
+    ('| a string in parentheses', r"Expected 'string expression', \( found instead", r'', r'.*\(.*".*'),
+    ('| a string in parentheses', r"Expected 'string comparison operator', \) found instead", r'', ANY),
+    ('| branches in a macro', r"Expected '\)', # found instead", r'', r'.*#macro .*#(?:if|elseif|while) .*'),
+    ('| `>=` where', r"Expected '>', >= found instead", r'', r'.*>= .*'),
+    ('| `#else` and `#end`', r"Mis-matched '#(?:else|end)'\.", r'', r'.*#if .*'),
+    ('| an infinite value', r'', r'E0303 .* is not a finite number but .*', ANY),
     ('| division by 0 in a `function { }` by constants', r'Division by zero\.', r'', r'.*function .*/.*'),
+]
+
+
+# Beginning of the row; the scene; what of the texts that both show tells nothing, and what stands for it.
+SHOWN = [
+    ('| `str` of more than', ANY, r'-?(?:\d{40}|\d(?:\.\d+)?e[+-]\d|<invalid>).*', 'long'),
+    ('| the sign of what is not a number', ANY, r'-?nan', 'nan'),
+    ('| turning by `vrotate`', r'.*v(?:axis_)?rotate .*', r'-(0(?:\.0*)?)(?![\d.])', r'\1'),
 ]
 
 
 def missing_rows() -> list:
     page = PAGE.read_text(encoding='utf-8')
-    return [row for row, *_ in KNOWN if f'\n{row}' not in page]
+    return [row for row, *_ in KNOWN + SHOWN if f'\n{row}' not in page]
+
+
+def row_of_shown(theirs, ours, shape: str) -> str:
+    """The row that tells of a difference in the texts, or nothing."""
+    for row, scene, pattern, stands in SHOWN:
+        if scene != ANY and not re.fullmatch(scene, shape):
+            continue
+        if [re.sub(pattern, stands, line) for line in theirs.shown] == [re.sub(pattern, stands, line) for line in ours.shown]:
+            return row
+    return ''
 
 
 def row_of(theirs, ours, shape: str) -> str:
-    """The row that tells of a difference in what is read, or nothing. @param theirs, ours the verdicts"""
+    """The row that tells of a difference, or nothing. @param theirs, ours the verdicts"""
     if theirs.state == ours.state:
-        return ''
+        return row_of_shown(theirs, ours, shape)
     for row, povray, abbe, scene in KNOWN:
         if (re.fullmatch(povray, theirs.message) and re.fullmatch(abbe, ours.message)
                 and (scene == ANY or re.fullmatch(scene, shape))):

@@ -295,7 +295,7 @@ class Writer:
                 (1, lambda: Node(kind, 'vnormalize', '(', self.vector(depth + 1, 3), ')')),
                 (1, lambda: Node(kind, 'vrotate', '(', self.vector(depth + 1, 3), ',', self.angles(), ')')),
                 (1, lambda: Node(kind, 'vaxis_rotate', '(', self.vector(depth + 1, 3), ',', self.angles(), ',',
-                                 Node('f', self.pick(['30', '-90', '7.5', '400'])), ')')),
+                                 Node('f', self.pick(['30', '-80', '7.5', '400'])), ')')),
             ])()
         return self.weighted([
             (5, product), (2 if size == 3 else 0, three), (2, lambda: self.user_call(depth, ('v', size))),
@@ -310,7 +310,7 @@ class Writer:
 
     def angles(self) -> Node:
         """Degrees that do not make much of the last digits of what is turned."""
-        return Node('v3', '<', *comma_list([self.pick(['0', '90', '-30', '45.5', '400', '1e1']) for _ in range(2)]), ',', '7', '>')
+        return Node('v3', '<', *comma_list([self.pick(['20', '70', '-30', '45.5', '400', '1e1']) for _ in range(2)]), ',', '7', '>')
 
     def colour_value(self, depth: int) -> Node:
         """Five components, of which POV-Ray keeps some seven digits: numbers that these hold."""

@@ -432,7 +432,7 @@ class StatementWriter(Writer):
 
 COMPARISONS_IN_FUNCTIONS = ['<', '<=', '=', '>=', '>', '!=', '&', '|']
 WORD = re.compile(r'[A-Za-z0-9_."#]')
-STYLES = [(14, 'plain'), (2, 'tight'), (2, 'wide'), (1, 'crlf')]
+STYLES = [(14, 'plain'), (2, 'tight'), (2, 'wide'), (1, 'crlf'), (0.5, 'cr')]
 
 
 def merge(left: str, right: str) -> bool:

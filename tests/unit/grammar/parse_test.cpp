@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace abbe {
 namespace {
@@ -66,6 +67,14 @@ TEST(Precedence, AndOrShareOneLevelInsideParentheses) {
 TEST(Precedence, OrIsLowestInFunctions) {
   EXPECT_EQ(shape("function { 1|1&0 }"),
             "Function(body:(Binary |(Number 1, Binary &(Number 1, Number 0))))");
+}
+TEST(Precedence, ParenthesesOfFunctionsHoldWhatFunctionsHold) {
+  EXPECT_EQ(shape("function { (1|1&0) }"),
+            "Function(body:(Paren(Binary |(Number 1, Binary &(Number 1, Number 0)))))");
+  EXPECT_EQ(
+      shape("function { (min(x=2, 1)) }"),
+      "Function(body:(Paren(Call min reserved(argument:(Binary =(Name x reserved, Number 2)), "
+      "argument:(Number 1)))))");
 }
 TEST(Precedence, RelationsGroupFromTheRightInFunctions) {
   EXPECT_EQ(shape("function { a<b<c }"),
@@ -133,6 +142,30 @@ TEST(Declare, EndsAtSemicolonOrAfterOneOperand) {
             "reserved(Name B))), Block sphere reserved");
   EXPECT_EQ(shape("#declare deprecated once \"old\" N[2] = 1;"),
             "Declare declare deprecated once \"old\" ;(Index N(Number 2), value:(Number 1))");
+}
+TEST(Directives, MessagesNameWhatIsExpectedInWords) {
+  // A mark for each token in turn: what is expected instead is never a type of the parser's.
+  std::vector<std::string> const tokens = {
+      "#declare", "deprecated", "once",    "\"s\"", "A",        "=",      "array",    "[",
+      "2",        "]",          "{",       "1",     "2",        "}",      "#for",     "(",
+      "I",        ",",          "0",       ",",     "1",        ",",      "1",        ")",
+      "#end",     "#while",     "(",       "0",     ")",        "#end",   "#switch",  "(",
+      "1",        ")",          "#case",   "(",     "1",        ")",      "#range",   "(",
+      "1",        ",",          "2",       ")",     "#else",    "#end",   "#if",      "(",
+      "1",        ")",          "#elseif", "(",     "1",        ")",      "#else",    "#end",
+      "#ifdef",   "(",          "A",       ")",     "#end",     "#macro", "M",        "(",
+      "B",        ",",          "C",       ")",     "B",        "#end",   "#fopen",   "H",
+      "\"f\"",    "write",      "#write",  "(",     "H",        ",",      "1",        ")",
+      "#fclose",  "H",          "#undef",  "A",     "#include", "\"f\"",  "#version", "3.7",
+      ";",        "#default",   "{",       "}",     "#declare", "F",      "=",        "function",
+      "(",        "x",          ")",       "{",     "x",        "}"};
+  for (char const* const mark : {",", ")", "=", ">"}) {
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      std::string text;
+      for (std::size_t k = 0; k < tokens.size(); ++k) text += (k == i ? mark : tokens[k]) + " ";
+      EXPECT_EQ(first_error(text).find("boost"), std::string::npos) << text;
+    }
+  }
 }
 TEST(Directives, MayStandWithoutHashAtTopLevel) {
   EXPECT_EQ(shape("version 3.7; default { }"),
