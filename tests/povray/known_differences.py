@@ -44,6 +44,7 @@ KNOWN = [
 # Beginning of the row; the scene; what of the texts that both show tells nothing, and what stands for it.
 SHOWN = [
     ('| `str` of more than', ANY, r'-?(?:\d{40}|\d(?:\.\d+)?e[+-]\d|<invalid>).*', 'long'),
+    ('| `int` and `div` beyond', r'.*(?:int|div) .*', r'-2147483648(?:\.0*)?|-?nan', 'int'),
     ('| the sign of what is not a number', ANY, r'-?nan', 'nan'),
     ('| turning by `vrotate`', r'.*v(?:axis_)?rotate .*', r'-(0(?:\.0*)?)(?![\d.])', r'\1'),
 ]
