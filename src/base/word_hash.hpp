@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace abbe {
 
@@ -25,6 +26,11 @@ public:
   void add(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x100000001b3;
     value_ ^= value_ >> 29;
+  }
+  /// With its length: "ab", "c" is not "a", "bc".
+  void add_text(std::string_view text) {
+    add(text.size());
+    add(text.data(), text.size());
   }
   std::uint64_t value() const { return value_; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
 #include "cli/scene_arguments.hpp"
+#include "job/interrupt.hpp"
 #include "render/render.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ public:
 
   Cost measure(plan::Plan const& plan) {
     Cost best = once(plan);
-    for (int i = 1; i < 3 && !interrupted(); ++i)
+    for (int i = 1; i < 3 && !job::interrupted(); ++i)
       best.seconds = std::min(best.seconds, once(plan).seconds);
     return best;
   }
@@ -53,7 +54,7 @@ private:
     options_.width = width;
     options_.height = std::max(1, width * arguments_.height / arguments_.width);
     options_.threads = 1;
-    options_.stop = &interrupted();
+    options_.stop = &job::interrupted();
   }
 
   static double processor_seconds() {
@@ -131,14 +132,14 @@ int run_explain(int argc, char** argv) {
                      "{}, monochromatic {}, shadow {}\n",
                      probe.width(), probe.height(), whole.seconds, rays.total(), rays.camera,
                      rays.reflected, rays.refracted, rays.monochromatic, rays.shadow);
-  for (int i = 0; i < plan::effect_count && !interrupted(); ++i) {
+  for (int i = 0; i < plan::effect_count && !job::interrupted(); ++i) {
     auto const effect = static_cast<plan::Effect>(i);
     out += plan::describe(*plan, effect);
     if (plan->has(effect))
       out += cost_of(effect, evaluated->scene, overrides_of(arguments), probe, whole);
     out += '\n';
   }
-  if (interrupted()) return 130;
+  if (job::interrupted()) return 130;
   fmt::print("{}", out);
   return 0;
 }

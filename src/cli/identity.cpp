@@ -5,19 +5,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <fmt/format.h>
-#include <fstream>
-#include <sstream>
+#include <string_view>
 
 namespace abbe::cli {
 namespace {
-
-/// A text, with its length.
-void add(WordHash& hash, std::string_view text) {
-  hash.add(text.size());
-  hash.add(text.data(), text.size());
-}
 
 /// Can the same texts make another scene at another time?
 bool asks_elsewhere(std::string_view text) {
@@ -41,37 +32,21 @@ bool add(WordHash& hash, SourceFile const& source) {
     source.bytes().give_up(begin, begin + bytes.size());
   }
   // Not what the scene was made of: no later run shall take its tiles.
-  if (source.bytes().changed()) add(hash, "changed");
+  if (source.bytes().changed()) hash.add_text("changed");
   return elsewhere;
-}
-
-std::string program() {
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return std::move(bytes).str();
 }
 
 } // namespace
 
-std::uint64_t picture_identity(lang::Evaluated const& evaluated,
-                               render::RenderOptions const& options, std::string const& words) {
+std::uint64_t scene_identity(lang::Evaluated const& evaluated, std::string const& words) {
   WordHash hash;
   bool elsewhere = false;
   for (SourceFile const* text : evaluated.texts) {
     bool const asks = add(hash, *text);
     elsewhere = elsewhere || asks;
   }
-  if (elsewhere) add(hash, lang::dump_scene(evaluated.scene));
-  render::Region const region = options.pixels();
-  auto const& aa = options.anti_aliasing;
-  add(hash, fmt::format("{} {} {} {} {} {} {} {} {} {:a} {:a} {} {} {} {} {}", options.width,
-                        options.height, region.x0, region.y0, region.x1, region.y1,
-                        options.tile_size, aa.method, aa.depth, aa.threshold, aa.jitter,
-                        options.seed, options.spectral_output, options.check_finite,
-                        options.max_trace_level.value_or(0), options.passes));
-  add(hash, words);
-  add(hash, program());
+  if (elsewhere) hash.add_text(lang::dump_scene(evaluated.scene));
+  hash.add_text(words);
   return hash.value();
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/glass_of_name.hpp"
 #include "cli/scene_arguments.hpp"
+#include "job/interrupt.hpp"
 #include "study/paper.hpp"
 
 #include <fmt/format.h>
@@ -31,12 +32,12 @@ int run_paper(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--quiet", quiet, "no progress");
   if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
-  catch_interrupts();
+  catch_signals();
   options.program = "/proc/self/exe";
   options.version = ABBE_VERSION;
   options.examples = stdlib_dir().parent_path() / "examples";
   options.folder = folder;
-  options.stop = &interrupted();
+  options.stop = &job::interrupted();
   for (char const* name : {"diamond", "SCHOTT/SF6", "SCHOTT/N-BK7", "SCHOTT/N-FK51A", "SCHOTT/F2",
                            "SCHOTT/N-SF11", "SCHOTT/N-LASF9", "fused_silica"}) {
     auto glass = glass_of_name(name);
@@ -49,7 +50,7 @@ int run_paper(int argc, char** argv) {
       fmt::print(stderr, "abbe study: {}\n", now);
     };
   auto const written = study::write_paper(options);
-  if (!written) return interrupted() ? 130 : fail(written.error());
+  if (!written) return job::interrupted() ? 130 : fail(written.error());
   if (!quiet) fmt::print(stderr, "abbe: {}\n", (options.folder / "paper.md").string());
   return 0;
 }

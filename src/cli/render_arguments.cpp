@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_arguments.hpp"
 
+#include "job/job.hpp"
 #include "render/passes.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
-#include <limits>
-#include <sys/resource.h>
 
 namespace abbe::cli {
 namespace {
@@ -58,14 +57,6 @@ int check_anti_aliasing(render::AntiAliasing const& aa) {
   fmt::print(stderr, "abbe render: --aa {} is too deep for --aa-method 2; the most is {}\n",
              aa.depth, deepest);
   return 2;
-}
-
-/// What this process may allocate (the main program sets it).
-double memory_limit() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-    return std::numeric_limits<double>::infinity();
-  return static_cast<double>(limit.rlim_cur);
 }
 
 } // namespace
@@ -168,10 +159,6 @@ int check(RenderArguments const& arguments) {
   return check_anti_aliasing(options.anti_aliasing);
 }
 
-bool passes_fit(RenderArguments const& arguments, plan::Plan const& plan) {
-  return render::bytes_of_sums(plan, arguments.options) < memory_limit();
-}
-
 int check_passes(RenderArguments const& arguments, plan::Plan const& plan) {
   auto const& options = arguments.options;
   if (options.passes == 1) return 0;
@@ -182,7 +169,7 @@ int check_passes(RenderArguments const& arguments, plan::Plan const& plan) {
                options.passes);
     return 2;
   }
-  if (passes_fit(arguments, plan)) return 0;
+  if (job::passes_fit(plan, options)) return 0;
   return render_failed(
       {"E0706", fmt::format("--passes {} holds the sums of the whole picture: {:.3g} GB, more "
                             "than there is; make it in parts with --region, or in one pass",

@@ -34,8 +34,6 @@ void add_options(CLI::App& app, RenderArguments& arguments);
 int check(RenderArguments const& arguments);
 /// Whether --passes is of use, and possible. The exit status, 0: go on.
 int check_passes(RenderArguments const& arguments, plan::Plan const& plan);
-/// Is there memory for the sums of passes?
-bool passes_fit(RenderArguments const& arguments, plan::Plan const& plan);
 
 /// Prints the error. @return status
 int render_failed(Error const& error, int status);

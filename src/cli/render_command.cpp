@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "base/stopwatch.hpp"
 #include "cli/bad_sample_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/identity.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/render_arguments.hpp"
-#include "cli/render_stats.hpp"
 #include "cli/render_target.hpp"
-#include "image/writer.hpp"
-#include "render/checkpoint.hpp"
-#include "render/passes.hpp"
-#include "render/render.hpp"
+#include "job/interrupt.hpp"
+#include "job/picture_file.hpp"
+#include "job/stats.hpp"
 
 #include <fmt/format.h>
 
@@ -31,139 +28,86 @@ image::WriteOptions write_options(RenderArguments const& arguments) {
   return write;
 }
 
-/// @param passes that it has
-image::ImageHead head_of(RenderArguments const& arguments, plan::Plan const& plan, int passes) {
-  image::ImageHead head;
-  auto const& options = arguments.options;
-  render::Region const region = options.pixels();
-  head.width = region.x1 - region.x0;
-  head.height = region.y1 - region.y0;
-  if (options.spectral_output) {
-    auto const centers = plan.spectral->bands.centers();
-    auto const edges = plan.spectral->bands.edges();
-    head.band_centres_nm.assign(centers.begin(), centers.end());
-    head.band_edges_nm.assign(edges.begin(), edges.end());
-  }
-  head.metadata = {{"Software", fmt::format("abbe {}", ABBE_VERSION)},
-                   {"Scene", std::filesystem::path(arguments.scene.scene).filename().string()},
-                   {"Plan", plan::describe(plan)},
-                   {"Seed", fmt::format("{}", options.seed)},
-                   {"AntiAliasing", options.anti_aliasing.method == 0
-                                        ? std::string("off")
-                                        : fmt::format("{}", options.anti_aliasing.depth)}};
-  if (passes > 1) head.metadata.emplace_back("Passes", fmt::format("{}", passes));
-  head.late_keys = {"MissingLight"};
-  return head;
-}
-
-/// The file, opened when the first rows are done: a short render leaves nothing beside it.
-class Output {
-public:
-  /// @param passes how many there are, when the first rows are done
-  Output(RenderArguments const& arguments, plan::Plan const& plan, int const& passes)
-      : arguments_(arguments), plan_(plan), passes_(passes) {}
-
-  bool write(image::Image const& rows) {
-    if (!writer_) {
-      auto opened = image::open_writer(head_of(arguments_, plan_, passes_), arguments_.output,
-                                       write_options(arguments_));
-      if (!opened) return failed(opened.error());
-      writer_ = std::move(*opened);
-    }
-    auto const written = writer_->write(rows);
-    return written ? true : failed(written.error());
-  }
-
-  bool finish(render::RenderResult const& result) {
-    if (error_) return false;
-    auto const done = writer_->finish({fmt::format("at most {:.3g}, in no sample more than {:.3g}",
-                                                   result.missing_mean, result.missing_most)});
-    return done ? true : failed(done.error());
-  }
-
-  std::optional<Error> const& error() const { return error_; }
-
-private:
-  bool failed(Error error) {
-    error_ = std::move(error);
-    return false;
-  }
-  RenderArguments const& arguments_;
-  plan::Plan const& plan_;
-  int const& passes_;
-  std::unique_ptr<image::ImageWriter> writer_;
-  std::optional<Error> error_;
-};
-
-/// How long a render must have run before it leaves a checkpoint: what is lost is no more.
-constexpr double checkpoint_after_seconds = 5;
-
-std::unique_ptr<render::Checkpoint> make_checkpoint(RenderArguments const& arguments,
-                                                    lang::Evaluated const& evaluated) {
+job::Keeping keeping_of(RenderArguments const& arguments, lang::Evaluated const& evaluated) {
+  job::Keeping keeping;
   if (arguments.no_checkpoint || !arguments.cost_map.empty() || arguments.target.seconds > 0)
-    return nullptr;
+    return keeping;
+  keeping.when =
+      arguments.checkpoint ? job::Keeping::When::FromTheFirst : job::Keeping::When::AfterAWhile;
+  keeping.path = arguments.output + ".abbe-checkpoint";
+  keeping.resume = arguments.resume;
   std::string words;
   for (auto const& declaration : arguments.scene.declarations) words += declaration + '\n';
   words += fmt::format("{} {} {} {} {}", arguments.scene.bands.value_or(0),
                        arguments.scene.dispersion, arguments.scene.representation,
                        arguments.scene.spacing, arguments.scene.spectral);
-  return std::make_unique<render::Checkpoint>(arguments.output + ".abbe-checkpoint",
-                                              arguments.checkpoint ? 0 : checkpoint_after_seconds,
-                                              [&evaluated, &options = arguments.options, words] {
-                                                return picture_identity(evaluated, options, words);
-                                              });
+  keeping.scene_identity = scene_identity(evaluated, words);
+  return keeping;
 }
 
-/// The exit status when the checkpoint cannot be gone on from, else 0.
-int resume(RenderArguments const& arguments, render::Checkpoint& checkpoint) {
-  auto const tiles = checkpoint.resume();
-  if (!tiles) return render_failed(tiles.error(), tiles.error().code == "E0520" ? 1 : 3);
-  if (arguments.scene.quiet) return 0;
-  if (*tiles == 0)
-    fmt::print(stderr, "abbe: nothing to resume in '{}': from the beginning\n",
-               checkpoint.path().string());
+void say_resumed(std::filesystem::path const& path, std::size_t tiles) {
+  if (tiles == 0)
+    fmt::print(stderr, "abbe: nothing to resume in '{}': from the beginning\n", path.string());
   else
-    fmt::print(stderr, "abbe: {} tiles resumed from '{}'\n", *tiles, checkpoint.path().string());
-  return 0;
+    fmt::print(stderr, "abbe: {} tiles resumed from '{}'\n", tiles, path.string());
 }
 
-int say_interrupted(RenderArguments const& arguments, render::Checkpoint const* checkpoint) {
+/// The exit status.
+int say_interrupted(RenderArguments const& arguments, job::Outcome const& outcome) {
   fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
-  if (checkpoint && checkpoint->written())
+  if (!outcome.resumable.empty())
     fmt::print(stderr,
                "abbe: what is done is in '{}': the same command with --resume goes on from there\n",
-               checkpoint->path().string());
+               outcome.resumable.string());
   return 130;
 }
 
+/// Says why there is no picture. The exit status, 0: there is one.
+int say_end(RenderArguments const& arguments, job::Outcome const& outcome) {
+  using End = job::Outcome::End;
+  switch (outcome.end) {
+  case End::Done:
+    if (!outcome.not_kept.empty())
+      fmt::print(stderr, "abbe: no checkpoint could be kept: {}\n", outcome.not_kept);
+    return 0;
+  case End::Interrupted:
+    return say_interrupted(arguments, outcome);
+  case End::BadSample:
+    fmt::print(stderr, "abbe render: {}", bad_sample_text(*outcome.result.bad_sample));
+    if (outcome.in_passes) fmt::print(stderr, "  in pass {}\n", outcome.result.passes + 1);
+    return 1;
+  case End::NotResumed:
+    return render_failed(*outcome.error, outcome.error->code == "E0520" ? 1 : 3);
+  case End::NotTaken:
+    return render_failed(*outcome.error, 3);
+  }
+  ABBE_ASSERT(false);
+}
+
+/// Can the file be written, as far as can be told? The exit status, 0: go on.
+int check_output(std::string const& path) {
+  auto const writable = image::check_destination(path);
+  if (writable) return 0;
+  return render_failed(writable.error(), writable.error().code == "E0512" ? 2 : 3);
+}
+
 /// What was asked for beside the picture. The exit status, 0: done.
-int write_records(RenderArguments const& arguments, RenderStats stats, Stopwatch const& all,
-                  plan::Plan const& plan, render::RenderResult const& result) {
-  auto const& options = arguments.options;
-  if (!arguments.stats.empty()) {
-    stats.render_wall_s = all.wall_s() - stats.scene_wall_s;
-    stats.render_cpu_s = all.cpu_s() - stats.scene_cpu_s;
-    auto const written = write_stats(arguments.stats, stats, plan, options, result);
-    if (!written) return render_failed(written.error(), 3);
-  }
-  if (!arguments.cost_map.empty()) {
-    render::Region const region = options.pixels();
-    auto const written = write_cost_map(arguments.cost_map, *options.rays_of_pixels,
-                                        region.x1 - region.x0, region.y1 - region.y0);
-    if (!written) return render_failed(written.error(), 3);
-  }
-  return 0;
+int write_records(RenderArguments const& arguments, job::Before const& before,
+                  plan::Plan const& plan, job::Outcome const& outcome) {
+  image::Status written = std::monostate();
+  if (!arguments.stats.empty())
+    written = job::write_stats(arguments.stats, before, plan, arguments.options, outcome);
+  if (written && !arguments.cost_map.empty())
+    written = job::write_cost_map(arguments.cost_map, arguments.options, outcome);
+  return written ? 0 : render_failed(written.error(), 3);
 }
 
 int render_scene(RenderArguments& arguments) {
   if (arguments.output.empty())
     arguments.output = std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
-  auto const writable = image::check_destination(arguments.output);
-  if (!writable) return render_failed(writable.error(), writable.error().code == "E0512" ? 2 : 3);
-  if (!arguments.cost_map.empty()) {
-    auto const map = image::check_destination(arguments.cost_map);
-    if (!map) return render_failed(map.error(), map.error().code == "E0512" ? 2 : 3);
-  }
+  if (int const bad = check_output(arguments.output)) return bad;
+  if (!arguments.cost_map.empty())
+    if (int const bad = check_output(arguments.cost_map)) return bad;
   if (int const bad = check(arguments)) return bad;
 
   Stopwatch const all;
@@ -173,7 +117,7 @@ int render_scene(RenderArguments& arguments) {
   render::RenderOptions& options = arguments.options;
   options.width = arguments.scene.width;
   options.height = arguments.scene.height;
-  options.stop = &interrupted();
+  options.stop = &job::interrupted();
   options.spectral_output = arguments.scene.spectral;
   std::string chosen;
   if (arguments.has_target())
@@ -182,49 +126,29 @@ int render_scene(RenderArguments& arguments) {
   if (!plan) return status;
   if (int const bad = check_passes(arguments, *plan)) return bad;
 
-  std::vector<float> rays_of_pixels;
-  if (!arguments.cost_map.empty()) options.rays_of_pixels = &rays_of_pixels;
-  auto const checkpoint = make_checkpoint(arguments, *evaluated);
-  if (arguments.resume)
-    if (int const failed = resume(arguments, *checkpoint)) return failed;
-  options.checkpoint = checkpoint.get();
+  job::Options job;
+  job.render = options;
+  job.keeping = keeping_of(arguments, *evaluated);
+  job.count_rays = !arguments.cost_map.empty();
+  if (arguments.target.seconds > 0) job.deadline = job::Deadline{arguments.target.seconds, all};
   ProgressBar bar(arguments.scene.quiet);
-  options.on_progress = [&bar](render::Progress const& progress) { bar.show(progress); };
-  int passes = options.passes;
-  bool const by_clock = arguments.target.seconds > 0
-                        && render::passes_differ(*plan, options.anti_aliasing)
-                        && passes_fit(arguments, *plan);
-  if (by_clock)
-    options.passes_wanted = [&passes, clock = PassClock(arguments.target.seconds, all)](int done) {
-      passes = done;
-      return clock.wanted(done);
-    };
-  Output output(arguments, *plan, passes);
-  options.on_rows = [&output](image::Image const& rows) { return output.write(rows); };
-  RenderStats stats{arguments.scene.scene, all.wall_s(), all.cpu_s()};
-  auto const result = render::render(std::move(evaluated->scene), *plan, options);
+  job.render.on_progress = [&bar](render::Progress const& progress) { bar.show(progress); };
+  if (!arguments.scene.quiet)
+    job.on_resumed = [&](std::size_t tiles) { say_resumed(job.keeping.path, tiles); };
+  auto const name = std::filesystem::path(arguments.scene.scene).filename().string();
+  job::PictureFile file(arguments.output, write_options(arguments),
+                        job::head_of(options, *plan, name));
+  job::Before const before{arguments.scene.scene, all.wall_s(), all.cpu_s()};
+  auto const outcome = job::run(std::move(evaluated->scene), *plan, job, file);
   bar.finish();
-  if (result.interrupted) return say_interrupted(arguments, checkpoint.get());
-  if (result.bad_sample) {
-    fmt::print(stderr, "abbe render: {}", bad_sample_text(*result.bad_sample));
-    if (passes > 1 || by_clock) fmt::print(stderr, "  in pass {}\n", result.passes + 1);
-    if (checkpoint) checkpoint->remove();
-    return 1;
-  }
-  if (!output.finish(result)) return render_failed(*output.error(), 3);
-  if (checkpoint) {
-    if (!checkpoint->problem().empty())
-      fmt::print(stderr, "abbe: no checkpoint could be kept: {}\n", checkpoint->problem());
-    checkpoint->remove();
-  }
-  if (int const failed = write_records(arguments, stats, all, *plan, result)) return failed;
+  if (int const failed = say_end(arguments, outcome)) return failed;
+  if (int const failed = write_records(arguments, before, *plan, outcome)) return failed;
   if (!arguments.scene.quiet) {
-    double const seconds = all.wall_s();
+    auto const region = options.pixels();
     fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
-               options.region ? options.region->x1 - options.region->x0 : options.width,
-               options.region ? options.region->y1 - options.region->y0 : options.height,
-               plan::describe_channels(*plan), seconds, result.counts.total());
-    if (arguments.target.seconds > 0) say_again(arguments, chosen, result.passes);
+               region.x1 - region.x0, region.y1 - region.y0, plan::describe_channels(*plan),
+               all.wall_s(), outcome.result.counts.total());
+    if (arguments.target.seconds > 0) say_again(arguments, chosen, outcome.result.passes);
   }
   return 0;
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_target.hpp"
 
+#include "job/interrupt.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace abbe::cli {
 namespace {
-
-/// Of the time: what counts as within it.
-constexpr double most_late = 1.25;
 
 /// What was not given but chosen, as options.
 std::string options_of(study::Choice const& choice, RenderArguments const& arguments) {
@@ -35,7 +33,7 @@ int choose(RenderArguments& arguments, lang::Evaluated const& evaluated, Stopwat
   if (target.seconds > 0) target.seconds = std::max(1e-3, target.seconds - since.wall_s());
   auto const choice =
       study::choose_setting(evaluated.scene, overrides_of(arguments.scene), options, target);
-  if (interrupted()) return 130;
+  if (job::interrupted()) return 130;
   if (!choice) return render_failed(choice.error(), 1);
   chosen = options_of(*choice, arguments);
   if (choice->bands && !arguments.scene.bands) arguments.scene.bands = choice->bands;
@@ -57,15 +55,6 @@ int choose(RenderArguments& arguments, lang::Evaluated const& evaluated, Stopwat
   else if (target.delta_e > 0 && choice->expected_delta_e < 0.75 * target.delta_e)
     fmt::print(stderr, "abbe: nothing cheaper is less exact than asked for\n");
   return 0;
-}
-
-int PassClock::wanted(int done) const {
-  double const now_s = since_.wall_s(), left_s = target_s_ - now_s;
-  double const each_s = (now_s - begin_s_) / done;
-  // To the nearest, unless that would be late.
-  double const more = std::clamp(std::floor(left_s / each_s + 0.5), 0.0, 1e6);
-  if (more == 1 && now_s + each_s > most_late * target_s_) return done;
-  return done + static_cast<int>(more);
 }
 
 void say_again(RenderArguments const& arguments, std::string const& chosen, int passes) {

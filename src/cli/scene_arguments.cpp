@@ -4,6 +4,7 @@
 #include "cli/hints.hpp"
 #include "grammar/keywords.hpp"
 #include "image/atomic_file.hpp"
+#include "job/interrupt.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -15,14 +16,6 @@
 
 namespace abbe::cli {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-
-extern "C" void on_interrupt(int) {
-  if (!stop_requested.exchange(true)) return;
-  image::remove_unfinished();
-  _exit(130);
-}
 
 /// Files are looked at where they lie; one of them was cut short.
 extern "C" void on_lost_text(int) {
@@ -63,9 +56,8 @@ scene::SpectralSettings spectral_settings(std::string const& phrase) {
 
 } // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+void catch_signals() {
+  job::catch_interrupts();
   std::signal(SIGBUS, on_lost_text);
 }
 
@@ -160,7 +152,7 @@ lang::Evaluated* kept(lang::Evaluated&& evaluated) {
 } // namespace
 
 lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
-  catch_interrupts();
+  catch_signals();
   lang::EvaluateOptions options;
   options.stdlib_dir = stdlib_dir();
   options.povray_dir = povray_dir();
@@ -173,7 +165,7 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   options.image_width = arguments.width;
   options.image_height = arguments.height;
   options.allow_write = arguments.allow_write;
-  options.stop = &interrupted();
+  options.stop = &job::interrupted();
   if (!arguments.quiet)
     options.on_message = [](std::string_view text) { fmt::print(stderr, "{}", text); };
   std::size_t printed = 0;
@@ -239,9 +231,4 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
   status = 0;
   return std::move(*plan);
 }
-
-std::atomic<bool> const& interrupted() {
-  return stop_requested;
-}
-
 } // namespace abbe::cli

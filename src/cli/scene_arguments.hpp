@@ -5,7 +5,6 @@
 #include "plan/plan.hpp"
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,10 +55,8 @@ std::filesystem::path stdlib_dir();
 /// that is installed. Empty: there are none.
 std::filesystem::path povray_dir();
 
-/// Ctrl-C and SIGTERM set interrupted() from now on. load_scene does it.
-void catch_interrupts();
-
-/// Set by Ctrl-C (and SIGTERM) once load_scene was called; a second Ctrl-C ends at once.
-std::atomic<bool> const& interrupted();
+/// From now on Ctrl-C and SIGTERM set job::interrupted(), and a file that is cut short while it is
+/// read ends the program. load_scene does it.
+void catch_signals();
 
 } // namespace abbe::cli

@@ -3,6 +3,8 @@
 #include "cli/identity.hpp"
 #include "cli/paper_command.hpp"
 #include "cli/scene_arguments.hpp"
+#include "job/identity.hpp"
+#include "job/interrupt.hpp"
 #include "study/report.hpp"
 #include "study/study.hpp"
 
@@ -131,7 +133,8 @@ int run(Arguments& arguments, std::string const& command) {
   render::RenderOptions picture;
   picture.width = scene.width;
   picture.height = scene.height;
-  options.identity = fmt::format("{:016x}", picture_identity(*evaluated, picture, ""));
+  options.identity =
+      fmt::format("{:016x}", job::picture_identity(scene_identity(*evaluated, ""), picture));
   options.folder = arguments.folder.empty()
                        ? std::filesystem::path(scene.scene).stem().string() + "-study"
                        : arguments.folder;
@@ -139,13 +142,13 @@ int run(Arguments& arguments, std::string const& command) {
   options.reference = arguments.reference;
   options.budget_s = arguments.budget_s;
   options.seeds = arguments.seeds;
-  options.stop = &interrupted();
+  options.stop = &job::interrupted();
   StudyProgress progress(scene.quiet);
   options.on_progress = [&](study::Progress const& now) { progress.show(now); };
 
   auto const result = study::run_study(options);
   progress.finish();
-  if (interrupted()) {
+  if (job::interrupted()) {
     fmt::print(stderr, "abbe: interrupted; the same command goes on from what is in '{}'\n",
                options.folder.string());
     return 130;

@@ -2,6 +2,7 @@
 #include "study/paper.hpp"
 
 #include "image/atomic_file.hpp"
+#include "job/child.hpp"
 
 #include <algorithm>
 #include <array>
@@ -95,13 +96,13 @@ private:
     for (auto& word : fill_words(words, "")) all.push_back(std::move(word));
     all.insert(all.end(),
                {"-o", picture.string(), "--stats", stats.string(), "--no-checkpoint", "--quiet"});
-    auto const child = run_child(options_.program, all, 0, options_.stop);
+    auto const child = job::run_child(options_.program, all, 0, options_.stop);
     RunRecord record;
-    bool const read = child.end == ChildResult::End::Done && read_stats(stats, record);
+    bool const read = child.end == job::ChildResult::End::Done && read_stats(stats, record);
     std::error_code ignored;
     fs::remove(stats, ignored);
     if (read) return record;
-    return Error{"E0531", child.end == ChildResult::End::Stopped
+    return Error{"E0531", child.end == job::ChildResult::End::Stopped
                               ? "interrupted"
                               : fmt::format("{} {}: {}", scene, words, child.messages)};
   }

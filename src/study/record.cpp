@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/record.hpp"
 
-#include "study/ray_counts_json.hpp"
+#include "job/stats.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ ordered_json to_json(RunRecord const& run) {
           {"scene_s", run.scene_s},
           {"peak_mib", run.peak_mib},
           {"bands", run.bands},
-          {"rays", rays_to_json(run.rays)}};
+          {"rays", job::rays_to_json(run.rays)}};
 }
 
 std::optional<RunRecord> read_record(std::filesystem::path const& path, std::string const& identity,
@@ -63,7 +63,7 @@ std::optional<RunRecord> read_record(std::filesystem::path const& path, std::str
     run.scene_s = data.at("scene_s");
     run.peak_mib = data.at("peak_mib");
     run.bands = data.at("bands");
-    run.rays = rays_from_json(data.at("rays"));
+    run.rays = job::rays_from_json(data.at("rays"));
     return run;
   } catch (json::exception const&) {
     return std::nullopt; // damaged: it is run again
@@ -78,7 +78,7 @@ bool read_stats(std::filesystem::path const& path, RunRecord& run) {
     run.cpu_s = data.at("render_s").at("cpu");
     run.scene_s = data.at("scene_s").at("cpu");
     run.bands = data.at("bands");
-    run.rays = rays_from_json(data.at("rays"));
+    run.rays = job::rays_from_json(data.at("rays"));
     return true;
   } catch (json::exception const&) {
     return false;

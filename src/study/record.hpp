@@ -3,7 +3,6 @@
 
 #include "image/image.hpp"
 #include "render/tracer.hpp"
-#include "study/child.hpp"
 
 #include <cstdint>
 #include <filesystem>

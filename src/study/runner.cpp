@@ -2,6 +2,7 @@
 #include "study/runner.hpp"
 
 #include "image/atomic_file.hpp"
+#include "job/child.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,9 +66,9 @@ std::optional<RunRecord> Runner::run(Unit const& unit) {
   if (unit.with_cost_map)
     words.insert(words.end(),
                  {"--cost-map", fs::path(image).replace_extension(".rays.exr").string()});
-  auto const child = run_child(options_.program, words, left, options_.stop);
+  auto const child = job::run_child(options_.program, words, left, options_.stop);
   std::error_code ignored;
-  using End = ChildResult::End;
+  using End = job::ChildResult::End;
   if (child.end == End::TimedOut || child.end == End::Stopped) return std::nullopt;
   run.done = child.end == End::Done && read_stats(stats, run);
   fs::remove(stats, ignored);

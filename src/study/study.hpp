@@ -5,6 +5,7 @@
 #include "study/record.hpp"
 #include "study/settings.hpp"
 
+#include <atomic>
 #include <functional>
 #include <map>
 

@@ -111,6 +111,19 @@ class Resume(CliTest):
         self.assertIn(KEPT, self.names())
         self.assertNotIn('out.png', self.names())
 
+    def test_scenes_that_ask_the_clock_or_files_too(self):
+        # What they were told is part of what the tiles belong to; here it is the same again.
+        self.write('size.txt', '0.5\n')
+        self.write('glass.scn', '// now\n#fopen F "size.txt" read #read (F, Size) #fclose F\n'
+                                + (self.folder / 'glass.scn').read_text() + 'sphere { 9*y, Size }\n')
+        whole = self.whole()
+        self.assertGreater(self.kill_until_done(), 0)
+        self.assertEqual((self.folder / 'out.png').read_bytes(), whole)
+        self.interrupted()
+        self.write('size.txt', '0.25\n')
+        resume = ['render', 'glass.scn', '-o', 'out.png', '--resume', '-W', 1500, '-H', 1500]
+        self.assertIn('E0520', self.run_abbe(*resume, status=1).stderr)
+
     def test_other_scene_or_options_are_refused(self):
         self.interrupted()
         resume = ['render', 'glass.scn', '-o', 'out.png', '--resume']

@@ -28,7 +28,8 @@ MAY_INCLUDE = {
     'plan': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'image'},
     'surface': {'base', 'simd', 'geometry', 'texture', 'scene'},
     'render': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'image'},
-    'study': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
+    'job': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
+    'study': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image', 'job'},
 }
 MAY_INCLUDE['cli'] = set(MAY_INCLUDE)
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace abbe::study {
+namespace abbe::job {
 
 /// How a run of a program ended, and what it took.
 struct ChildResult {
@@ -22,4 +22,4 @@ struct ChildResult {
 ChildResult run_child(std::string const& program, std::vector<std::string> const& words,
                       double seconds, std::atomic<bool> const* stop);
 
-} // namespace abbe::study
+} // namespace abbe::job

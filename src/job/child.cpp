@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/child.hpp"
+#include "job/child.hpp"
 
 #include "base/stopwatch.hpp"
 
@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace abbe::study {
+namespace abbe::job {
 namespace {
 
 constexpr std::size_t kept_bytes = 4096;
@@ -26,16 +26,17 @@ double seconds(timeval const& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-/// Waits up to 20 ms for messages. @return false at their end
-bool read_some(int pipe, std::string& text) {
+enum class Said { Something, Nothing, ThatWasAll };
+/// Waits up to 20 ms for messages.
+Said read_some(int pipe, std::string& text) {
   pollfd waiting{pipe, POLLIN, 0};
-  if (poll(&waiting, 1, 20) <= 0) return true;
+  if (poll(&waiting, 1, 20) <= 0) return Said::Nothing;
   std::array<char, 4096> buffer;
   auto const count = read(pipe, buffer.data(), buffer.size());
-  if (count <= 0) return count < 0 && errno == EINTR;
+  if (count <= 0) return count < 0 && errno == EINTR ? Said::Nothing : Said::ThatWasAll;
   text.append(buffer.data(), static_cast<std::size_t>(count));
   if (text.size() > kept_bytes) text.erase(0, text.size() - kept_bytes);
-  return true;
+  return Said::Something;
 }
 
 pid_t start(std::string const& program, std::vector<std::string> const& words, int messages) {
@@ -73,7 +74,7 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
   int status = 0;
   rusage usage{};
   for (;;) {
-    if (open) open = read_some(pipe_ends[0], result.messages);
+    if (open) open = read_some(pipe_ends[0], result.messages) != Said::ThatWasAll;
     pid_t const ended = wait4(child, &status, open ? WNOHANG : 0, &usage);
     if (ended == child || (ended < 0 && errno != EINTR)) break;
     double const now = since.wall_s();
@@ -87,10 +88,8 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
       kill(child, SIGKILL);
     }
   }
-  while (open) { // what it wrote last; nobody else has the pipe's other end
-    auto const before = result.messages.size();
-    open = read_some(pipe_ends[0], result.messages) && result.messages.size() != before;
-  }
+  // What it wrote last, all of it, is in the pipe.
+  while (open) open = read_some(pipe_ends[0], result.messages) == Said::Something;
   close(pipe_ends[0]);
   result.wall_s = since.wall_s();
   result.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
@@ -103,4 +102,4 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
   return result;
 }
 
-} // namespace abbe::study
+} // namespace abbe::job
