@@ -30,7 +30,9 @@ inline std::string text(Vec3 const& v) {
 }
 
 /// The picture of a scene that must be read without a word. It holds linear light.
-inline image::Image picture(std::string const& body, int width = 1, int height = 1) {
+/// @param spectral with its bands
+inline image::Image picture(std::string const& body, int width = 1, int height = 1,
+                            bool spectral = false) {
   lang::EvaluateOptions reading;
   reading.stdlib_dir = ABBE_STDLIB_DIR;
   std::string const head = "#version 3.7; global_settings { assumed_gamma 1 }\n";
@@ -41,6 +43,7 @@ inline image::Image picture(std::string const& body, int width = 1, int height =
   render::RenderOptions options;
   options.width = width;
   options.height = height;
+  options.spectral_output = spectral;
   return render::render(evaluated.scene, *plan, options).image;
 }
 
