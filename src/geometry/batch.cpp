@@ -94,9 +94,14 @@ struct Packet {
   }
 };
 
-/// work(packet, departure, t_max) for all rays, in packets of rays that depart alike.
-template <class Work>
-void each_packet(RayLines const& rays, double const* t_max, Scratch& scratch, Work const& work) {
+/// Fewer rays than these that depart alike go each alone.
+constexpr std::uint32_t least_packet = 2;
+
+/// work(packet, departure, t_max) for the rays that depart alike, in packets; alone(place,
+/// departure) where they are few.
+template <class Work, class Single>
+void each_packet(RayLines const& rays, double const* t_max, Scratch& scratch, Work const& work,
+                 Single const& alone) {
   StartOrder& order = scratch.order;
   order.sort(rays.start, rays.count);
   Packet packet;
@@ -105,6 +110,10 @@ void each_packet(RayLines const& rays, double const* t_max, Scratch& scratch, Wo
     std::uint32_t const* const places = order.places().data();
     Departure const* const from =
         departure_of(rays.start[places[first]], rays.groups, scratch.departure);
+    if (end - first < least_packet) {
+      for (; first < end; ++first) alone(places[first], from);
+      continue;
+    }
     for (; first < end;) {
       std::size_t const some = std::min<std::size_t>(fan_width, end - first);
       work(packet, from, packet.take(rays, t_max, places + first, some));
@@ -113,68 +122,111 @@ void each_packet(RayLines const& rays, double const* t_max, Scratch& scratch, Wo
   }
 }
 
+/// The crossing of a group whose surface is shown.
+SurfaceCrossing const& shown(HitGroup const& group) {
+  auto const entered = std::find_if(group.crossings.begin(), group.crossings.end(),
+                                    [](SurfaceCrossing const& c) { return c.entering; });
+  return entered != group.crossings.end() ? *entered : group.crossings.front();
+}
+
+/// The last of the groups is what ray k meets, unless it is empty.
+void set_group(Hits& hits, std::size_t k) {
+  hits.group[k] = hits.groups.count() - 1;
+  HitGroup const& group = hits.groups[hits.group[k]];
+  if (group.crossings.empty()) {
+    hits.hit[k] = {};
+    return;
+  }
+  SurfaceCrossing const& c = shown(group);
+  hits.hit[k] = {RayHit::Kind::Group, c.entering, c.toggles, c.entering, c.solid,
+                 c.primitive,         c.face};
+  hits.t[k] = group.t;
+  hits.error[k] = group.error;
+  hits.point.set(k, group.point);
+  hits.point_error.set(k, group.point_error);
+}
+
+void set_single(Hits& hits, std::size_t k, World::Impl::Alone const& found, Ray const& ray) {
+  SurfaceCrossing const& c = found.crossing;
+  hits.hit[k] = {RayHit::Kind::Single, c.entering, c.toggles, found.was_entering, c.solid,
+                 c.primitive,          c.face};
+  hits.t[k] = c.t;
+  hits.error[k] = found.error;
+  Vec3 point, point_error;
+  set_point(ray.origin, ray.direction, c.t, found.error, point, point_error);
+  hits.point.set(k, point);
+  hits.point_error.set(k, point_error);
+}
+
 } // namespace
 
 void World::intersect(RayLines const& rays, std::uint8_t mask, double const* t_max,
                       Scratch& scratch, Hits& hits) const {
   hits.resize(rays.count);
-  each_packet(
-      rays, t_max, scratch, [&](Packet& packet, Departure const* from, double const* until) {
-        FanHits& found = scratch.found;
-        closest_fan(packet.lines, from, mask, until, scratch, found);
-        for (std::size_t i = 0; i < packet.lines.count; ++i) {
-          std::uint32_t const k = packet.place[i];
-          FanHit const& own = found.hit[i];
-          RayHit& hit = hits.hit[k];
-          if (own.kind == FanHit::Kind::Nothing) {
-            hit = {};
-            continue;
-          }
-          if (own.kind == FanHit::Kind::Single) {
-            hit = {RayHit::Kind::Single, own.entering, own.toggles, own.was_entering, own.solid,
-                   own.primitive,        own.face};
-            hits.t[k] = found.t[i];
-            hits.error[k] = found.error[i];
-            hits.point.set(k, found.point.get(i));
-            hits.point_error.set(k, found.point_error.get(i));
-            continue;
-          }
-          std::uint32_t const number = hits.groups.count();
-          HitGroup& group = hits.groups.add();
-          double const end = until == nullptr ? everywhere : until[i];
-          if (own.kind == FanHit::Kind::Pair) {
-            closest_pair(packet.lines.get(i), found.pair[i], mask, end, scratch, group);
-          } else if (!closest_group(packet.lines.get(i), from, mask, end, scratch, group)) {
-            hit = {};
-            continue;
-          }
-          auto const entered = std::find_if(group.crossings.begin(), group.crossings.end(),
-                                            [](SurfaceCrossing const& c) { return c.entering; });
-          SurfaceCrossing const& shown =
-              entered != group.crossings.end() ? *entered : group.crossings.front();
-          hit = {RayHit::Kind::Group, shown.entering,  shown.toggles, shown.entering,
-                 shown.solid,         shown.primitive, shown.face};
-          hits.group[k] = number;
-          hits.t[k] = group.t;
-          hits.error[k] = group.error;
-          hits.point.set(k, group.point);
-          hits.point_error.set(k, group.point_error);
-        }
-      });
+  auto const work = [&](Packet& packet, Departure const* from, double const* until) {
+    FanHits& found = scratch.found;
+    closest_fan(packet.lines, from, mask, until, scratch, found);
+    for (std::size_t i = 0; i < packet.lines.count; ++i) {
+      std::uint32_t const k = packet.place[i];
+      FanHit const& own = found.hit[i];
+      if (own.kind == FanHit::Kind::Nothing) {
+        hits.hit[k] = {};
+      } else if (own.kind == FanHit::Kind::Single) {
+        hits.hit[k] = {RayHit::Kind::Single, own.entering, own.toggles, own.was_entering, own.solid,
+                       own.primitive,        own.face};
+        hits.t[k] = found.t[i];
+        hits.error[k] = found.error[i];
+        hits.point.set(k, found.point.get(i));
+        hits.point_error.set(k, found.point_error.get(i));
+      } else {
+        double const end = until == nullptr ? everywhere : until[i];
+        HitGroup& group = hits.groups.add();
+        if (own.kind == FanHit::Kind::Pair)
+          closest_pair(packet.lines.get(i), found.pair[i], mask, end, scratch, group);
+        else
+          closest_group(packet.lines.get(i), from, mask, end, scratch, group);
+        set_group(hits, k);
+      }
+    }
+  };
+  auto const alone = [&](std::uint32_t k, Departure const* from) {
+    Ray const ray = rays.get(k);
+    double const end = t_max == nullptr ? everywhere : t_max[k];
+    Impl::Alone found;
+    Impl::Kind kind = impl_->first_single(ray, from, mask, end, scratch, found);
+    // What is in contact with a surface that is left is part of a group.
+    bool const leaves = !found.crossing.entering && found.crossing.toggles;
+    if (kind == Impl::Kind::Single && leaves && impl_->contacts.any()
+        && impl_->contacts.reach(found.crossing.solid) > 0)
+      kind = Impl::Kind::Several;
+    if (kind == Impl::Kind::Nothing) {
+      hits.hit[k] = {};
+    } else if (kind == Impl::Kind::Single) {
+      set_single(hits, k, found, ray);
+    } else {
+      closest_group(ray, from, mask, end, scratch, hits.groups.add());
+      set_group(hits, k);
+    }
+  };
+  each_packet(rays, t_max, scratch, work, alone);
 }
 
 void World::occluded(RayLines const& rays, std::uint8_t mask, double const* t_max, Scratch& scratch,
                      std::uint8_t* blocked) const {
-  each_packet(rays, t_max, scratch,
-              [&](Packet& packet, Departure const* from, double const* until) {
-                bool is[fan_width], clear[fan_width];
-                occluded_fan(packet.lines, from, mask, until, scratch, is, clear);
-                for (std::size_t i = 0; i < packet.lines.count; ++i) {
-                  if (!is[i] && !clear[i])
-                    is[i] = occluded(packet.lines.get(i), from, mask, until[i], scratch);
-                  blocked[packet.place[i]] = is[i];
-                }
-              });
+  each_packet(
+      rays, t_max, scratch,
+      [&](Packet& packet, Departure const* from, double const* until) {
+        bool is[fan_width], clear[fan_width];
+        occluded_fan(packet.lines, from, mask, until, scratch, is, clear);
+        for (std::size_t i = 0; i < packet.lines.count; ++i) {
+          if (!is[i] && !clear[i])
+            is[i] = occluded(packet.lines.get(i), from, mask, until[i], scratch);
+          blocked[packet.place[i]] = is[i];
+        }
+      },
+      [&](std::uint32_t k, Departure const* from) {
+        blocked[k] = occluded(rays.get(k), from, mask, t_max[k], scratch);
+      });
 }
 
 } // namespace abbe::geometry

@@ -39,11 +39,11 @@ NodeProbe::NodeProbe(Ray const& ray, BvhSpace const& space, Vec3 const& reach) {
   for (int i = 0; i < 3; ++i) {
     Axis& axis = axes_[i];
     bool const still = std::fabs(way[i]) < least_component;
-    double const wide = off[i] + (still ? std::fabs(way[i]) * far : 0.0);
+    double const room = off[i] + (still ? std::fabs(way[i]) * far : 0.0);
     axis.inverse = still ? std::numeric_limits<float>::infinity() : static_cast<float>(1 / way[i]);
     bool const falling = axis.inverse < 0;
-    axis.near = static_cast<float>(falling ? place[i] - wide : place[i] + wide);
-    axis.far = static_cast<float>(falling ? place[i] + wide : place[i] - wide);
+    axis.near = static_cast<float>(falling ? place[i] - room : place[i] + room);
+    axis.far = static_cast<float>(falling ? place[i] + room : place[i] - room);
     axis.sides = BoxSides(static_cast<std::size_t>(i), falling);
     if (!usable) axis.inverse = std::numeric_limits<float>::quiet_NaN();
   }

@@ -77,9 +77,10 @@ struct BoxSides {
 /// Floats see the line from where it is nearest to the space's centre: there its place has digits
 /// as boxes have, wherever the ray starts. What that and the rounding to floats moves the place, it
 /// is moved away from each side it is compared with. Each bound of the way then has three roundings
-/// (the difference, the inverse, the product), which `widen` pays for. Ways are counted from that
-/// place, in units of the space for a direction whose largest component is in [1, 2): the
-/// quotients leave the range of floats only where that says the same.
+/// (the difference, the inverse, the product), which a wider exit pays for, of both of a box: where
+/// they matter the two are about the same. Ways are counted from that place, in units of the space
+/// for a direction whose largest component is in [1, 2): the quotients leave the range of floats
+/// only where that says the same.
 class NodeProbe {
   /// As BoxOrigin; 1 / direction: infinite across the axis, NaN where it is not tested.
   struct Axis {
@@ -99,6 +100,9 @@ public:
   float from(double t) const { return bound(t, -1); }
   float until(double t) const { return bound(t, 1); }
 
+  /// Twice three roundings, and those of the products.
+  static constexpr float wide = 1 + 0x1p-20F, tight = 1 - 0x1p-20F;
+
   /// The line in registers.
   template <class F>
   class Lanes {
@@ -107,17 +111,17 @@ public:
         : axes_{axis(of.axes_[0]), axis(of.axes_[1]), axis(of.axes_[2])}, from_(from) {}
     /// Where the line is in each box of a node up to `to`. @return bits of the boxes it meets
     unsigned enter(BvhNode const& node, float to, float (&entry)[BvhNode::width]) const {
-      float const* const planes = &node.planes[0][0][0];
-      F in(-std::numeric_limits<float>::infinity()), out(std::numeric_limits<float>::infinity());
-      for (Axis const& axis : axes_) {
-        in = most((F::load(planes + axis.sides.near) - axis.near) * axis.inverse, in);
-        out = least((F::load(planes + axis.sides.far) - axis.far) * axis.inverse, out);
-      }
-      F const wide(1 + 0x1p-21F), tight(1 - 0x1p-21F);
-      in = most(least(in * wide, in * tight), from_);
-      out = least(most(out * wide, out * tight), F(to));
-      in.store(entry);
-      return ~bits(out < in) & 0xff;
+      auto const in = [&](Axis const& axis) {
+        return (F::load(&node.planes[0][0][0] + axis.sides.near) - axis.near) * axis.inverse;
+      };
+      auto const out = [&](Axis const& axis) {
+        return (F::load(&node.planes[0][0][0] + axis.sides.far) - axis.far) * axis.inverse;
+      };
+      // What is not a number comes first, and is not taken.
+      F const first = most(most(in(axes_[0]), in(axes_[1])), most(in(axes_[2]), from_));
+      F const last = least(least(out(axes_[0]), out(axes_[1])), least(out(axes_[2]), F(to)));
+      first.store(entry);
+      return ~bits(most(last * F(wide), last * F(tight)) < first) & 0xff;
     }
 
   private:
@@ -136,7 +140,7 @@ private:
   float bound(double t, double side) const {
     double const way = t * per_t_ - start_;
     double const off = (std::fabs(t * per_t_) + std::fabs(start_)) * (4 * unit_roundoff)
-                       + std::fabs(way) * 0x1p-22 + 0x1p-120;
+                       + std::fabs(way) * 0x1p-21 + 0x1p-120;
     return static_cast<float>(way + side * off);
   }
 

@@ -5,6 +5,7 @@
 #include "geometry/bvh.hpp"
 
 #include <bit>
+#include <utility>
 
 /// Rays on their way through a hierarchy.
 namespace abbe::geometry {
@@ -38,17 +39,29 @@ public:
       while (at.count == BvhNode::inner) {
         BvhNode const& node = nodes_[at.first];
         float entry[BvhNode::width];
+        __builtin_prefetch(node.first); // what the boxes do not wait for
         unsigned met = lanes.enter(node, until, entry);
         if (met == 0) break;
+        auto const part = [&](unsigned k) {
+          return Waiting{node.first[k], node.count[k], entry[k]};
+        };
+        auto const take = [&met] {
+          auto const k = static_cast<unsigned>(std::countr_zero(met));
+          met &= met - 1;
+          return k;
+        };
+        at = part(take());
+        if (met == 0) continue;
+        // The nearest is next, the others wait, the farthest at the bottom.
         std::size_t const bottom = waiting_;
-        for (; met != 0; met &= met - 1) {
-          auto const k = static_cast<std::size_t>(std::countr_zero(met));
+        do {
+          Waiting other = part(take());
+          if (other.entry < at.entry) std::swap(at, other);
           std::size_t place = waiting_++;
-          for (; place > bottom && stack_[place - 1].entry < entry[k]; --place)
+          for (; place > bottom && stack_[place - 1].entry < other.entry; --place)
             stack_[place] = stack_[place - 1];
-          stack_[place] = {node.first[k], node.count[k], entry[k]};
-        }
-        at = stack_[--waiting_];
+          stack_[place] = other;
+        } while (met != 0);
       }
       if (at.count == BvhNode::inner) continue;
       leaf = {at.first, at.count};

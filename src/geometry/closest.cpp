@@ -10,14 +10,13 @@ namespace abbe::geometry {
 
 /// The nearest crossing so far.
 struct World::Impl::First {
-  double t = everywhere, error = 0;
+  double t = everywhere;
   double begin = everywhere, end; ///< of its error interval
   double next = everywhere;       ///< where the first of the other solids' crossings may begin
-  SurfaceCrossing crossing{};
-  bool was_entering = false; ///< the primitive (the solid may be its inverse)
-  bool alone = true;         ///< its only event
+  Alone& crossing;
+  bool alone = true; ///< its only event
 
-  explicit First(double t_max) : end(t_max) {}
+  First(double t_max, Alone& out) : end(t_max), crossing(out) {}
   /// Takes its place, or crowds it. @return whether it takes it
   bool propose(double its_t, double its_error) {
     double const its_begin = its_t - its_error;
@@ -28,7 +27,7 @@ struct World::Impl::First {
     }
     next = std::min(next, begin);
     t = its_t;
-    error = its_error;
+    crossing.error = its_error;
     begin = its_begin;
     end = its_t + its_error;
     return true;
@@ -62,9 +61,9 @@ bool find_end(TracedSolid const& solid, std::vector<Placed> const& primitives, R
 
 World::Impl::Kind World::Impl::first_single(Ray const& ray, Departure const* from,
                                             std::uint8_t mask, double t_max, Scratch& scratch,
-                                            HitGroup& out) const {
+                                            Alone& out) const {
   prepare(scratch);
-  First first(t_max);
+  First first(t_max, out);
   auto const ask_any = [&](SolidId id, TracedSolid const& solid) {
     solid.passages(query(id, ray, from, scratch, first.end), false,
                    [&](TracedSolid::Passage const& passage) {
@@ -72,8 +71,8 @@ World::Impl::Kind World::Impl::first_single(Ray const& ray, Departure const* fro
                      if (passage.crossing.t - passage.error > first.end) return false;
                      if (!passage.visible) return true;
                      if (first.propose(passage.crossing.t, passage.error)) {
-                       first.crossing = passage.crossing;
-                       first.was_entering = scratch.events[passage.first].entering;
+                       out.crossing = passage.crossing;
+                       out.was_entering = scratch.events[passage.first].entering;
                        first.alone = passage.last - passage.first == 1;
                      }
                      return false;
@@ -89,33 +88,36 @@ World::Impl::Kind World::Impl::first_single(Ray const& ray, Departure const* fro
     FirstEnd<double> end;
     if (!find_end(solid, primitives, ray, from, first.end, end) || !(end.t < t_max)) return true;
     if (first.propose(end.t, group_margin * end.error)) {
-      first.crossing = {id,
-                        solid.only(),
-                        static_cast<std::uint32_t>(end.face),
-                        end.t,
-                        end.enters != solid.inverse(),
-                        true};
-      first.was_entering = end.enters;
+      out.crossing = {id,
+                      solid.only(),
+                      static_cast<std::uint32_t>(end.face),
+                      end.t,
+                      end.enters != solid.inverse(),
+                      true};
+      out.was_entering = end.enters;
       first.alone = true;
     }
     return true;
   });
   if (!(first.t < everywhere)) return Kind::Nothing;
-  if (!first.single()) return Kind::Several;
-  out.clear();
-  out.t = first.t;
-  out.error = first.error;
-  set_point(ray.origin, ray.direction, first.t, first.error, out.point, out.point_error);
-  out.crossings.push_back(first.crossing);
-  out.members.push_back({first.crossing.primitive, first.crossing.face, first.was_entering});
-  return Kind::Single;
+  return first.single() ? Kind::Single : Kind::Several;
 }
 
 bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                     Scratch& scratch, HitGroup& out) const {
-  Impl::Kind const kind = impl_->first_single(ray, from, mask, t_max, scratch, out);
+  Impl::Alone alone;
+  Impl::Kind const kind = impl_->first_single(ray, from, mask, t_max, scratch, alone);
   if (kind == Impl::Kind::Nothing) return false;
-  if (kind == Impl::Kind::Several) impl_->first_group(ray, from, mask, t_max, scratch, out);
+  if (kind == Impl::Kind::Several) {
+    impl_->first_group(ray, from, mask, t_max, scratch, out);
+  } else {
+    out.clear();
+    out.t = alone.crossing.t;
+    out.error = alone.error;
+    set_point(ray.origin, ray.direction, out.t, out.error, out.point, out.point_error);
+    out.crossings.push_back(alone.crossing);
+    out.members.push_back({alone.crossing.primitive, alone.crossing.face, alone.was_entering});
+  }
   if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
   return true;
 }

@@ -227,36 +227,39 @@ void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double 
   }
 }
 
-/// Rays that go apart have few boxes of a large hierarchy in common: each walks it alone.
+/// Rays that go apart by many items have few boxes of a large hierarchy in common: each walks it
+/// alone.
 bool World::Impl::diverge(FanLines const& rays, std::uint8_t mask) const {
-  constexpr double apart = 0.1;
-  constexpr std::size_t few = 32;
+  constexpr double many = 7;
+  constexpr std::size_t few = 8;
   Group const& asked = group(mask);
   if (asked.bvh.nodes().size() < few) return false;
-  return native.extents(rays).spread(glm::length(asked.hull.high - asked.hull.low)) > apart;
+  double const size = glm::length(asked.hull.high - asked.hull.low);
+  return native.extents(rays).spread(size) > many * asked.grain;
 }
 
 void World::Impl::find_each(FanLines const& rays, Departure const* from, std::uint8_t mask,
                             double const* t_max, Scratch& scratch, FanHits& hits) const {
-  HitGroup& group = scratch.lone;
   for (std::size_t k = 0; k < rays.count; ++k) {
     FanHit& hit = hits.hit[k];
     hit = {};
+    Alone alone;
     Kind const kind = first_single(rays.get(k), from, mask,
-                                   t_max == nullptr ? everywhere : t_max[k], scratch, group);
+                                   t_max == nullptr ? everywhere : t_max[k], scratch, alone);
     if (kind != Kind::Single) {
       hit.kind = kind == Kind::Nothing ? FanHit::Kind::Nothing : FanHit::Kind::Unclear;
       continue;
     }
-    SurfaceCrossing const& crossing = group.crossings.front();
-    hit = {FanHit::Kind::Single, crossing.entering,
-           crossing.toggles,     group.members.front().was_entering,
-           crossing.solid,       crossing.primitive,
-           crossing.face};
-    hits.t[k] = group.t;
-    hits.error[k] = group.error;
-    hits.point.set(k, group.point);
-    hits.point_error.set(k, group.point_error);
+    SurfaceCrossing const& crossing = alone.crossing;
+    hit = {FanHit::Kind::Single, crossing.entering,  crossing.toggles, alone.was_entering,
+           crossing.solid,       crossing.primitive, crossing.face};
+    hits.t[k] = crossing.t;
+    hits.error[k] = alone.error;
+    Vec3 point, point_error;
+    set_point(rays.origin.get(k), rays.direction.get(k), crossing.t, alone.error, point,
+              point_error);
+    hits.point.set(k, point);
+    hits.point_error.set(k, point_error);
   }
 }
 

@@ -67,7 +67,6 @@ public:
   StartOrder order;    ///< of a batch
   Departure departure; ///< of a packet of it
   FanHits found;       ///< of that packet
-  HitGroup lone;       ///< what one ray of a fan meets by itself
   HitGroup beyond;     ///< what is in contact with a group
   Departure through;   ///< from that group on
   std::vector<FanProposal> proposals;

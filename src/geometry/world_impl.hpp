@@ -28,8 +28,9 @@ struct World::Impl {
   struct Group {
     std::uint8_t mask = 0xff;
     std::vector<SolidId> infinite;
-    Bvh bvh;     ///< of the others
-    Bounds hull; ///< of its items
+    Bvh bvh;          ///< of the others
+    Bounds hull;      ///< of its items
+    double grain = 0; ///< mean size of an item, as a share of the hull
   };
   Group all;
   std::vector<Group> some; ///< those of bits that at most half of the solids have
@@ -60,12 +61,14 @@ struct World::Impl {
     std::vector<BvhBox> boxes;
     boxes.reserve(finite);
     BvhSpace const space = finder.space();
+    group.hull = finder.hull();
+    double const size = glm::length(group.hull.high - group.hull.low);
     each([&](SolidId id, Bounds const& bounds) {
-      if (!bounds.infinite && !bounds.empty())
-        boxes.push_back(space.box(bounds.low, bounds.high, id));
+      if (bounds.infinite || bounds.empty()) return;
+      boxes.push_back(space.box(bounds.low, bounds.high, id));
+      group.grain += glm::length(bounds.high - bounds.low) / size / static_cast<double>(finite);
     });
     group.bvh = Bvh(space, std::move(boxes));
-    group.hull = finder.hull();
     return group;
   }
   Group const& group(std::uint8_t mask) const {
@@ -82,10 +85,16 @@ struct World::Impl {
                     HitGroup& out) const;
   struct First; ///< of closest.cpp
   enum class Kind : std::uint8_t { Nothing, Single, Several };
+  /// A crossing that is clear of all others.
+  struct Alone {
+    SurfaceCrossing crossing;
+    double error = 0;
+    bool was_entering = false; ///< the primitive (the solid may be its inverse)
+  };
   /// closest() where one crossing stands clear of all others; Several: it may not, ask
   /// first_group().
   Kind first_single(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                    Scratch& scratch, HitGroup& out) const;
+                    Scratch& scratch, Alone& out) const;
   struct Nearest; ///< of fan.cpp
   void find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask, Scratch& scratch,
                 Nearest& nearest) const;
