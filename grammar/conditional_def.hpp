@@ -47,8 +47,9 @@ x3::rule<WhileId, ast::While> const while_ = "'#while'";
 auto const while__def = until_end[x3::omit[hash("while")] > condition > body];
 
 x3::rule<ForId, ast::For> const for_ = "'#for'";
-auto const for__def = until_end[x3::omit[hash("for")] > mark('(') > NewName("a counter")
-                                > -mark(',') > (full_expression % -mark(',')) > mark(')') > body];
+auto const for__def =
+    until_end[x3::omit[hash("for")] > mark('(') > NewName("a counter") > -mark(',')
+              > (full_expression % -mark(',')) > -mark(',') > mark(')') > body];
 
 // --------------------------------------------------------------------------------------- #switch
 auto const kind = [](auto const& word, Kind which) { return x3::omit[word] >> x3::attr(which); };

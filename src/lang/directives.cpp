@@ -112,6 +112,21 @@ void ReaderImpl::execute(ast::For const& node) {
   push(std::move(frame));
 }
 
+/// Is the clause one for this value? nullopt when what it asks for is wrong (reported).
+std::optional<bool> ReaderImpl::is_for(ast::Switch::Clause const& clause, double value) {
+  using Kind = ast::Switch::Clause::Kind;
+  if (clause.kind == Kind::Else) return true;
+  if (clause.kind == Kind::Case) {
+    auto const wanted = in_.expressions.number(clause.bounds.at(0), "the value of #case");
+    if (!wanted) return std::nullopt;
+    return std::abs(*wanted - value) < eps;
+  }
+  auto const low = in_.expressions.number(clause.bounds.at(0), "the lower bound of #range");
+  auto const high = in_.expressions.number(clause.bounds.at(1), "the upper bound of #range");
+  if (!low || !high) return std::nullopt;
+  return value >= *low - eps && value <= *high + eps;
+}
+
 void ReaderImpl::execute(ast::Switch const& node) {
   auto const value = in_.expressions.number(node.value, "the value of #switch");
   if (!value) return leave_loop();
@@ -119,19 +134,9 @@ void ReaderImpl::execute(ast::Switch const& node) {
   before.items = &node.before;
   for (std::size_t i = 0; i < node.clauses.size(); ++i) {
     auto const& clause = node.clauses[i];
-    using Kind = ast::Switch::Clause::Kind;
-    bool taken = clause.kind == Kind::Else;
-    if (clause.kind == Kind::Case) {
-      auto const wanted = in_.expressions.number(clause.bounds.at(0), "the value of #case");
-      if (!wanted) return leave_loop();
-      taken = std::abs(*wanted - *value) < eps;
-    } else if (clause.kind == Kind::Range) {
-      auto const low = in_.expressions.number(clause.bounds.at(0), "the lower bound of #range");
-      auto const high = in_.expressions.number(clause.bounds.at(1), "the upper bound of #range");
-      if (!low || !high) return leave_loop();
-      taken = *value >= *low - eps && *value <= *high + eps;
-    }
-    if (!taken) continue;
+    auto const taken = is_for(clause, *value);
+    if (!taken) return leave_loop();
+    if (!*taken) continue;
     Frame frame;
     frame.items = &clause.items;
     frame.kind = Frame::Kind::Switch;
@@ -145,13 +150,13 @@ void ReaderImpl::execute(ast::Switch const& node) {
 }
 
 /// At the end of a loop's body: is there another round? Then the frame stands at its start again.
-bool ReaderImpl::next_round(Frame const& ended) {
+bool ReaderImpl::next_round(Frame ended) {
   std::size_t const index = frames_.size() - 1;
   if (ended.kind == Frame::Kind::Switch) {
-    // Falls through into the next clause, whatever its condition.
+    // Falls through into the next clause, whatever comes out of what that asks for.
     auto const& node = *static_cast<ast::Switch const*>(ended.loop);
     std::size_t const next_clause = ended.clause + 1;
-    if (next_clause >= node.clauses.size()) return false;
+    if (next_clause >= node.clauses.size() || !is_for(node.clauses[next_clause], 0)) return false;
     frames_[index].clause = next_clause;
     frames_[index].items = &node.clauses[next_clause].items;
     frames_[index].position = 0;

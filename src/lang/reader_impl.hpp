@@ -215,7 +215,8 @@ private:
   void execute(ast::Declare const&);
   void execute(ast::Macro const&);
   void execute(ast::Directive const&);
-  bool next_round(Frame const&);
+  std::optional<bool> is_for(ast::Switch::Clause const&, double value);
+  bool next_round(Frame ended);
   void break_out(Span);
   void leave_loop();
 

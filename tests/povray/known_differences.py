@@ -28,6 +28,7 @@ KNOWN = [
     ("| a parameter of the macro's own name", r"Can't invoke a macro while declaring its parameters", r'',
      r'.*#macro (N\d+) \(.*\b\1\b.*'),
     ('| one comma too many', r".*, , found instead", r'', ANY),
+    ('| one comma too many', r'All #declares of float, .*', r'', r'.*, ;.*'),
     ('| one comma too many', r"Expected '.*', [)>] found instead", r'', r'.*, [)>].*'),
     ('| one comma too many', r'#switch not followed by #case or #range\.', r'', r'.*#switch \(.*\) ,.*'),
     ('| a `;` too many', r"Expected 'object or directive', ; found instead", r'', r'.*[;)}] ;.*'),
@@ -56,11 +57,13 @@ def missing_rows() -> list:
 
 
 def row_of_shown(theirs, ours, shape: str) -> str:
-    """The row that tells of a difference in the texts, or nothing."""
+    """The last of the rows that tell of the differences in the texts, or nothing."""
+    texts = [list(theirs.shown), list(ours.shown)]
     for row, scene, pattern, stands in SHOWN:
         if scene != ANY and not re.fullmatch(scene, shape):
             continue
-        if [re.sub(pattern, stands, line) for line in theirs.shown] == [re.sub(pattern, stands, line) for line in ours.shown]:
+        texts = [[re.sub(pattern, stands, line) for line in text] for text in texts]
+        if texts[0] == texts[1]:
             return row
     return ''
 
