@@ -44,7 +44,7 @@ Numeric plain(CallContext& context, Arguments a) {
 
 Numeric divide(CallContext& context, Arguments a) {
   if (f(a, 1) == 0) return context.fail("division by zero");
-  return scalar_of(std::trunc(f(a, 0) / f(a, 1)) + 0.0); // no -0
+  return scalar_of(whole_number(f(a, 0) / f(a, 1)));
 }
 
 Numeric smallest(CallContext&, Arguments a) {

@@ -6,8 +6,10 @@
 #include "lang/known_names.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
+#include <system_error>
 #include <tuple>
 
 namespace abbe::lang {
@@ -16,19 +18,25 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Writes beside the file and renames: whole or not at all, and a link is replaced, not followed.
-bool write_whole(fs::path const& path, std::string const& text) {
+/// @return why it could not be written
+std::error_code write_whole(fs::path const& path, std::string const& text) {
   std::error_code failed;
-  if (fs::is_directory(path, failed)) return false;
+  if (fs::is_directory(path, failed)) return std::make_error_code(std::errc::is_a_directory);
   fs::path const unfinished = path.parent_path() / ("." + path.filename().string() + ".tmp");
   fs::remove(unfinished, failed);
+  errno = 0;
   std::ofstream out(unfinished, std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
-  if (out) fs::rename(unfinished, path, failed);
-  if (out && !failed) return true;
+  if (!out) {
+    failed.assign(errno != 0 ? errno : EIO, std::generic_category());
+  } else {
+    fs::rename(unfinished, path, failed);
+    if (!failed) return {};
+  }
   std::error_code ignored;
   fs::remove(unfinished, ignored);
-  return false;
+  return failed;
 }
 
 fs::path resolved(fs::path const& path) {
@@ -200,9 +208,11 @@ void Files::finish() {
   for (auto const& [path, written] : written_) {
     if (in_.options().allow_write) {
       if (in_.error_count() > 0) return;
-      if (!write_whole(path, written.text))
-        in_.error("E0504", fmt::format("cannot write the file '{}'", path.generic_string()),
-                  written.opened_at);
+      if (std::error_code const why = write_whole(path, written.text))
+        in_.error(
+            "E0504",
+            fmt::format("cannot write the file '{}': {}", path.generic_string(), why.message()),
+            written.opened_at);
     } else if (!written.read_back) {
       in_.error("E0503",
                 fmt::format("the scene writes the file '{}': allow it with --allow-write",

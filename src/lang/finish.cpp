@@ -165,9 +165,9 @@ bool reject_legacy(Reader& in) {
 
 void read_finish(Reader& in, Finish& finish) {
   Albedo albedo;
-  while (!in.at_end()) {
+  for (bool first = true; !in.at_end(); first = false) {
     if (read_item(in, finish, albedo)) continue;
-    if (auto named = in.accept_value<Finish>())
+    if (auto named = in.accept_copied<Finish>(first, "finish"))
       finish = *named;
     else if (!reject_legacy(in))
       reject(in, "a finish item");

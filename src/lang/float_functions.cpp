@@ -26,7 +26,7 @@ constexpr FloatFunction table[] = {
     {"degrees", 1, [](double a, double) { return a * (180 / pi); }},
     {"exp", 1, [](double a, double) { return simd::exp(a); }},
     {"floor", 1, [](double a, double) { return std::floor(a); }},
-    {"int", 1, [](double a, double) { return std::trunc(a) + 0.0; }}, // no -0
+    {"int", 1, [](double a, double) { return whole_number(a); }},
     {"ln", 1, [](double a, double) { return simd::log(a); }},
     {"log", 1, [](double a, double) { return simd::log10(a); }},
     {"mod", 2, [](double a, double b) { return std::fmod(a, b); }},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -13,6 +14,10 @@ struct FloatFunction {
   int arguments;
   double (*compute)(double, double);
 };
+/// Toward zero, which has no sign. Of what is not a number: -2^31, as POV-Ray's.
+inline double whole_number(double a) {
+  return std::isnan(a) ? -0x1p31 : std::trunc(a) + 0.0;
+}
 std::span<FloatFunction const> float_functions();
 FloatFunction const* find_float_function(std::string_view name);
 

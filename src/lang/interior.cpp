@@ -111,9 +111,9 @@ void check_fade(Reader& in, Interior const& interior, Span at) {
 void read_interior(Reader& in, Interior& interior) {
   Span const span = in.block_span();
   Span ior_at, fade_at;
-  while (!in.at_end()) {
+  for (bool first = true; !in.at_end(); first = false) {
     Span const at = in.next_span();
-    if (auto named = in.accept_value<Interior>()) {
+    if (auto named = in.accept_copied<Interior>(first, "interior")) {
       interior = *named;
     } else if (auto glass = in.accept_value<optics::Glass>()) {
       interior.glass = glass;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace abbe::lang {
 
@@ -35,11 +36,19 @@ struct Draft {
   Pigment& pigment;
   std::unique_ptr<PatternInstance> instance; ///< the pattern, open for changes
   geometry::Transform moved; ///< transforms of a plain colour: a pattern given to it later has them
+  bool begun = false;        ///< has an item been read?
+  bool chosen = false;       ///< has a colour or a pattern been read?
+  bool wrong = false;        ///< has an item been reported?
 
   explicit Draft(Pigment& target) : pigment(target) { load(); }
   void load() {
     instance.reset();
     if (pigment.pattern) instance = std::make_unique<PatternInstance>(*pigment.pattern);
+  }
+  void choose(Reader& in, Span at) {
+    if (std::exchange(chosen, true) && !wrong)
+      in.report(Severity::Error, "E0251",
+                "a second colour or pattern: a pigment has one, before its modifiers", at);
   }
   void set(scene::Colour const& colour) {
     pigment.colour = colour;
@@ -98,7 +107,9 @@ void read_list(Reader& in, Draft& draft) {
 
 bool read_pattern(Reader& in, Draft& draft) {
   texture::PatternKind const* const kind = find_pattern(in.next_word());
+  Span const at = in.next_span();
   if (!kind || !in.accept(kind->keyword)) return false;
+  draft.choose(in, at);
   if (!draft.instance) {
     draft.instance = std::make_unique<PatternInstance>();
     if (!draft.moved.identity()) append(*draft.instance, draft.moved);
@@ -156,13 +167,16 @@ bool read_map(Reader& in, Draft& draft) {
 /// A colour that begins with a word of its own: the most frequent item by far.
 bool read_plain_colour(Reader& in, Draft& draft) {
   if (in.next() != Next::Word || !starts_colour(in)) return false;
+  Span const at = in.next_span();
   auto const colour = accept_colour(in);
   if (!colour) return false;
+  draft.choose(in, at);
   draft.set(*colour);
   return true;
 }
 
 bool read_other(Reader& in, Draft& draft) {
+  Span const at = in.next_span();
   geometry::Transform transform;
   if (read_transform(in, transform)) {
     if (draft.instance)
@@ -171,11 +185,12 @@ bool read_other(Reader& in, Draft& draft) {
       draft.moved = draft.moved.then(transform);
   } else if (in.accept("quick_color") || in.accept("quick_colour")) {
     read_colour(in, "quick_color"); // only for POV-Ray's lowest qualities
-  } else if (auto named = in.accept_value<Pigment>()) {
+  } else if (auto named = in.accept_copied<Pigment>(!draft.begun, "pigment")) {
     draft.pigment = *named;
     draft.moved = {};
     draft.load();
   } else if (auto colour = accept_colour(in)) {
+    draft.choose(in, at);
     draft.set(*colour);
   } else {
     return false;
@@ -207,7 +222,7 @@ void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform c
   Draft draft(pigment);
   draft.moved = moved;
   bool rejected = false;
-  while (!in.at_end()) {
+  for (; !in.at_end(); draft.begun = true) {
     if (read_plain_colour(in, draft) || read_pattern(in, draft) || read_modifier(in, draft)
         || read_map(in, draft) || read_other(in, draft))
       continue;
@@ -218,6 +233,7 @@ void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform c
     // Asking for them makes them what "did you mean" offers.
     for (auto const& kind : texture::pattern_kinds()) in.accept(kind.keyword);
     reject(in, "a pigment item");
+    draft.wrong = true;
   }
   pigment.span = span;
   draft.store();

@@ -72,6 +72,17 @@ public:
     take();
     return copy;
   }
+  /// The same for what a block copies: its name goes first, so that no item before it is lost.
+  template <class T>
+  std::shared_ptr<T const> accept_copied(bool first, std::string_view block) {
+    Span const at = next_span();
+    auto copied = accept_value<T>();
+    if (copied && !first)
+      report(Severity::Error, "E0251",
+             "the name of a block to copy must be the first item of " + std::string(block) + " {}",
+             at);
+    return copied;
+  }
   bool accept_punctuation(char symbol) { return take_punctuation(symbol); }
   /// Reports that the next item is not `what` ("a sphere modifier"): "expected a finish item, found
   /// 'scale'", or "unknown name 'shpere': expected an object; did you mean 'sphere'?". Skips it

@@ -50,15 +50,12 @@ public:
   void report(Severity, std::string_view code, std::string_view message, Span) override;
 
   // Reader
-  Next next() override {
-    if (!peek_.ready) settle();
-    return peek_.next;
-  }
+  Next next() override { return peek_.ready ? peek_.next : (settle(), peek_.next); }
   std::string_view next_word() override;
   bool open_bracket() override;
   bool open_any() override;
   Span value_span() override;
-  bool comma_follows(Span value) override;
+  bool comma_follows(Span) override;
   Numeric numeric(std::string_view name, int minimum) override;
   std::vector<double> components(std::string_view name, int count) override;
   std::string string(std::string_view name) override;

@@ -5,9 +5,9 @@ namespace abbe::lang {
 
 scene::SkySphere read_sky_sphere(Reader& in) {
   scene::SkySphere sky;
-  while (!in.at_end()) {
+  for (bool first = true; !in.at_end(); first = false) {
     geometry::Transform transform;
-    if (auto named = in.accept_value<scene::SkySphere>()) {
+    if (auto named = in.accept_copied<scene::SkySphere>(first, "sky_sphere")) {
       sky = *named;
     } else if (in.open("pigment")) {
       scene::Pigment pigment = default_texture(in, in.block_span()).pigment;

@@ -37,6 +37,10 @@ KNOWN = [
     ('| branches in a macro', r"Expected '\)', # found instead", r'', r'.*#macro .*#(?:if|elseif|while) .*'),
     ('| `>=` where', r"Expected '>', >= found instead", r'', r'.*>= .*'),
     ('| `#else` and `#end`', r"Mis-matched '#(?:else|end)'\.", r'', r'.*#if .*'),
+    ('| branches in a macro', r'All #declares of float, .*', r'', r'.*#macro .*#(?:if|ifdef|ifndef|switch) .*'),
+    ('| a macro as an element', r'Insufficent number of initializers', r'', r'.*#macro .*array .*'),
+    ('| `#else`, `#case` in the body of a loop', r'', r"E0111 expected '#end' to close the directive, found '#\w+'",
+     r'.*#(?:for|while) .*'),
     ('| an infinite value', r'', r'E0303 .* is not a finite number but .*', ANY),
     ('| division by 0 in a `function { }` by constants', r'Division by zero\.', r'', r'.*function .*/.*'),
 ]
@@ -45,7 +49,7 @@ KNOWN = [
 # Beginning of the row; the scene; what of the texts that both show tells nothing, and what stands for it.
 SHOWN = [
     ('| `str` of more than', ANY, r'-?(?:\d{40}|\d(?:\.\d+)?e[+-]\d|<invalid>).*', 'long'),
-    ('| `int` and `div` beyond', r'.*(?:int|div) .*', r'-2147483648(?:\.0*)?|-?nan', 'int'),
+    ('| `int` and `div` beyond', r'.*(?:int|div) .*', r'-?\d{10,}(?:\.\d*)?', 'int'),
     ('| the sign of what is not a number', ANY, r'-?nan', 'nan'),
     ('| turning by `vrotate`', r'.*v(?:axis_)?rotate .*', r'-(0(?:\.0*)?)(?![\d.])', r'\1'),
 ]

@@ -167,6 +167,15 @@ TEST(Directive, ConditionalHeadsOpenOneBlock) {
   EXPECT_EQ(united.scene.objects[0].kind, scene::Object::Kind::Union);
 }
 
+TEST(Files, CannotBeWrittenForThatReason) {
+  EvaluateOptions options;
+  options.allow_write = true;
+  std::string const text = said("#fopen F \"no_such_folder/a.txt\" write #write(F, 1)", options);
+  EXPECT_NE(text.find("E0504"), std::string::npos);
+  EXPECT_NE(text.find("'no_such_folder/a.txt': No such file or directory"), std::string::npos)
+      << text;
+}
+
 TEST(Files, WrittenFilesNeedPermissionUnlessReadBack) {
   EXPECT_EQ(codes_of("#fopen F \"core_test.tmp\" write #write(F, \"1\") #fclose F"), "E0503");
   EXPECT_EQ(
