@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/path_record.hpp"
+#include "render/render.hpp"
 
 #include <string>
 

@@ -129,7 +129,8 @@ SurfaceCrossing const& shown(HitGroup const& group) {
   return entered != group.crossings.end() ? *entered : group.crossings.front();
 }
 
-/// The last of the groups is what ray k meets, unless it is empty.
+/// The last of the groups is what ray k meets, unless it is empty. One crossing of one primitive is
+/// no group, however it was found.
 void set_group(Hits& hits, std::size_t k) {
   hits.group[k] = hits.groups.count() - 1;
   HitGroup const& group = hits.groups[hits.group[k]];
@@ -140,6 +141,10 @@ void set_group(Hits& hits, std::size_t k) {
   SurfaceCrossing const& c = shown(group);
   hits.hit[k] = {RayHit::Kind::Group, c.entering, c.toggles, c.entering, c.solid,
                  c.primitive,         c.face};
+  if (group.crossings.size() == 1 && group.members.size() == 1) {
+    hits.hit[k].kind = RayHit::Kind::Single;
+    hits.hit[k].was_entering = group.members.front().was_entering;
+  }
   hits.t[k] = group.t;
   hits.error[k] = group.error;
   hits.point.set(k, group.point);

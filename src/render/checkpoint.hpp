@@ -2,7 +2,8 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "render/tracer.hpp"
+#include "transport/cut_light.hpp"
+#include "transport/ray_counts.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -16,6 +17,8 @@
 #include <vector>
 
 namespace abbe::render {
+
+using transport::CutLight, transport::RayCounts;
 
 /// One tile of one pass: what the picture and its report need of it.
 struct TileResult {

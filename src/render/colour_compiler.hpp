@@ -4,7 +4,7 @@
 #include "optics/band_hats.hpp"
 #include "optics/channel_set.hpp"
 #include "plan/working_space.hpp"
-#include "render/stage.hpp"
+#include "render/compile.hpp"
 
 #include <map>
 #include <optional>

@@ -5,32 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 namespace abbe::render {
 namespace {
 
-double cos_degrees(double degrees) {
-  return simd::cos(degrees * std::numbers::pi / 180);
-}
-
-CompiledLight compile_light(scene::Light const& light, Vec3 const& eye, ColourCompiler& colours) {
-  CompiledLight out;
-  out.kind = light.kind;
-  out.position = light.position - eye;
-  out.value = colours.light(light.colour);
-  out.shadowless = light.shadowless;
-  out.fade_distance = light.fade_distance;
-  out.fade_power = light.fade_power;
-  Vec3 const toward = light.point_at - light.position;
-  double const length = glm::length(toward);
-  if (length > 0) out.direction = toward / length;
-  out.cos_radius = cos_degrees(light.radius_deg);
-  // A falloff within the radius is a hard edge at the radius.
-  out.cos_falloff = std::min(cos_degrees(light.falloff_deg), out.cos_radius);
-  out.tightness = light.tightness;
-  return out;
+std::unique_ptr<transport::Lamp const> compile_lamp(scene::Light const& light, Vec3 const& eye,
+                                                    ColourCompiler& colours) {
+  transport::Lamp::Common common;
+  common.value = colours.light(light.colour);
+  common.shadowless = light.shadowless;
+  common.fade_distance = light.fade_distance;
+  common.fade_power = light.fade_power;
+  return transport::make_lamp(light, light.position - eye, std::move(common));
 }
 
 void compile_sky(scene::Scene const& scene, PigmentCompiler& pigments, ColourCompiler& colours,
@@ -72,8 +59,7 @@ double own_light(CompiledFinish const& finish, double lamps) {
 /// light from behind is then weighted by what the surface in front leaves.
 double brightest(Stage const& stage) {
   double lamps = 0;
-  for (auto const& light : stage.lights)
-    lamps += largest(light.value) * (light.fade_power > 0 && light.fade_distance != 0 ? 2 : 1);
+  for (auto const& lamp : stage.lamps) lamps += largest(lamp->value()) * lamp->brightest_fade();
   double surface = 0, pigment = 1;
   for (auto const& finish : stage.textures.finishes)
     surface = std::max(surface, own_light(finish, lamps));
@@ -117,7 +103,7 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   } else {
     stage.rgb_weights = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   }
-  stage.camera = scene.camera;
+  stage.camera = transport::make_camera(scene.camera);
   set_limits(scene.settings, stage);
   stage.textures.channels = stage.channels;
   stage.textures.opacity_version = scene.settings.version;
@@ -126,7 +112,7 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   MediaCompiler media(scene.settings, plan, colours, stage);
   compile_objects(scene, taken, plan, colours, pigments, media, stage);
   for (auto const& light : scene.lights)
-    stage.lights.push_back(compile_light(light, scene.camera.location, colours));
+    stage.lamps.push_back(compile_lamp(light, scene.camera.location, colours));
   compile_sky(scene, pigments, colours, stage);
   stage.brightest = brightest(stage);
   return stage;

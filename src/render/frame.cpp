@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/frame.hpp"
 
-#include "render/camera.hpp"
 #include "render/checkpoint.hpp"
 #include "render/each.hpp"
 #include "render/marks.hpp"
@@ -186,13 +185,8 @@ private:
     Strip strip = make_strip(tile0);
     if (grid_alone()) return strip;
     auto const all = [](int, int) { return true; };
-    std::size_t most = geometry::fan_width;
-    if (subdivides()) {
-      // Work is stopped between groups only, and all cells of a pixel may be uneven.
-      std::size_t const cells = std::size_t{1} << 2 * (options_.anti_aliasing.depth - 1);
-      most = std::clamp<std::size_t>(4096 / cells, 1, 2 * geometry::fan_width);
-    }
-    for_each_tile(strip, 0, most, all,
+    std::size_t const cells = std::size_t{1} << 2 * (options_.anti_aliasing.depth - 1);
+    for_each_tile(strip, 0, subdivides() ? cells : 1, all,
                   [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
                     if (subdivides())
                       sampler.subdivided(pixels, out);
@@ -202,8 +196,11 @@ private:
     return strip;
   }
 
-  Tracer make_tracer() const {
-    return Tracer(stage_, pixel_footprint(stage_.camera, options_.width, options_.height));
+  Tracer make_tracer(transport::PathRecord* record = nullptr) const {
+    Tracer tracer(stage_, stage_.camera->footprint(options_.width, options_.height), record);
+    tracer.stop_when(options_.stop);
+    if (options_.rays_of_pixels) tracer.count_rays();
+    return tracer;
   }
 
   /// Method 1. @param above, below the row before the strip and (first) the one behind it
@@ -220,23 +217,19 @@ private:
   void refine(Strip& strip) {
     bool const middle = options_.anti_aliasing.middle_counts;
     auto const depth = static_cast<std::size_t>(options_.anti_aliasing.depth);
-    // Some fans at once: few are not full.
-    std::size_t const most = std::max<std::size_t>(1, 8 * geometry::fan_width / (depth * depth));
     auto const marked = [&](int x, int y) { return strip.marks[index(strip, x, y)] != 0; };
-    for_each_tile(strip, 1, most, marked,
+    for_each_tile(strip, 1, depth * depth, marked,
                   [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
                     sampler.refined(pixels, middle, out);
                   });
   }
 
-  /// @param most pixels at a time
+  /// @param each samples of a pixel, about
   /// @param wanted (x, y): is the pixel to be made?
   /// @param work (sampler, pixels, out): makes them
   template <class Wanted, class Work>
-  void for_each_tile(Strip& strip, std::uint32_t phase, std::size_t most, Wanted const& wanted,
+  void for_each_tile(Strip& strip, std::uint32_t phase, std::size_t each, Wanted const& wanted,
                      Work const& work) {
-    // Rays of pixels that are made together cannot be told apart.
-    if (options_.rays_of_pixels) most = 1;
     auto const make = [&](int tile) {
       if (stopped() || refused_.load(std::memory_order_relaxed)) return;
       Box const box = box_of(tile);
@@ -245,6 +238,7 @@ private:
         PixelSampler sampler(stage_, options_, tracer);
         RayCounts const before = tracer.counts();
         CutLight const cut_before = tracer.cut_light();
+        std::size_t const most = std::max<std::size_t>(1, tracer.batch() / each);
         std::vector<Sampled> sampled(most);
         bool whole = true;
         for_each_group(box, most, wanted, [&](std::span<Pixel const> pixels) {
@@ -252,11 +246,8 @@ private:
           std::size_t const wrong = first_wrong_.load(std::memory_order_relaxed);
           auto const behind = [&](Pixel const& pixel) { return number(pixel) > wrong; };
           if (wrong != none && std::all_of(pixels.begin(), pixels.end(), behind)) return true;
-          std::uint64_t const rays = options_.rays_of_pixels ? tracer.counts().total() : 0;
           work(sampler, pixels, sampled.data());
-          if (options_.rays_of_pixels)
-            (*options_.rays_of_pixels)[number(pixels[0])] +=
-                static_cast<float>(tracer.counts().total() - rays);
+          if (stopped()) return whole = false;
           if (sampler.wrong()) keep(*sampler.wrong());
           for (std::size_t k = 0; k < pixels.size(); ++k) put(strip, pixels[k], sampled[k]);
           return true;
@@ -336,14 +327,10 @@ private:
 
   /// Traces the sample again, with a record of its path.
   BadSample look_into(PixelSampler::Wrong const& wrong) const {
-    Tracer tracer = make_tracer();
-    PathRecorder recorder(stage_, negative_light_is_wrong(stage_));
-    tracer.record(recorder);
-    auto const ray = camera_ray(stage_.camera, wrong.x, wrong.y, options_.width, options_.height);
-    std::vector<double> bands(options_.spectral_output ? stage_.film_bands() : 0);
-    tracer.sample(ray, wrong.key, bands);
-    recorder.end(tracer);
-    return {wrong.kind, wrong.pixel.x, wrong.pixel.y, wrong.key.number, wrong.rgb, recorder.path()};
+    transport::PathRecord record(transport::negative_light_is_wrong(stage_));
+    Tracer tracer = make_tracer(&record);
+    tracer.trace({&wrong.x, &wrong.y, 1, options_.width, options_.height}, {&wrong.key, 1});
+    return {wrong.kind, wrong.pixel.x, wrong.pixel.y, wrong.key.number, wrong.rgb, record.path()};
   }
 
   void report(std::uint32_t phase) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "plan/working_space.hpp"
+#include "render/compile.hpp"
 #include "render/render.hpp"
-#include "render/stage.hpp"
 
 namespace abbe::render {
 

@@ -3,6 +3,7 @@
 
 #include "optics/glass_builder.hpp"
 #include "plan/dispersion.hpp"
+#include "transport/wavelengths/policy.hpp"
 
 #include <algorithm>
 
@@ -32,22 +33,26 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
   medium.fresnel = interior.glass != nullptr && refracts && !plan_.is_off(Switch::Reflection);
   medium.index_d = refracts ? plan::plain_index(interior) : 1;
   medium.flat_index.assign(static_cast<std::size_t>(stage_.channels), medium.index_d);
-  if (interior.fade_distance != 0 && !plan_.is_off(Switch::DistanceFade)) {
-    medium.fade_distance = interior.fade_distance;
-    medium.fade_power = interior.fade_power;
-    medium.fade_colour = colours_.reflectance(interior.fade_colour);
-  }
   medium.caustics = interior.caustics;
-  if (!stage_.spectral) return medium;
-
+  auto const make_segments = [&](Channels absorption) {
+    bool const fades = !plan_.is_off(Switch::DistanceFade);
+    medium.segments = transport::make_segments(
+        interior, std::move(absorption),
+        fades ? colours_.reflectance(interior.fade_colour) : Channels(), fades);
+  };
+  if (!stage_.spectral) {
+    make_segments({});
+    return medium;
+  }
   optics::Bands const& bands = stage_.bands();
   auto const glass = plan::dispersive_glass(interior);
+  Channels absorption;
   if (glass && glass->absorbs() && !plan_.is_off(Switch::Absorption)) {
     for (double const lambda_nm : stage_.lambdas_nm)
-      medium.absorption.push_back(glass->absorption_per_mm(lambda_nm)
-                                  * settings_.spectral.mm_per_unit);
-    if (is_black(medium.absorption)) medium.absorption.clear();
+      absorption.push_back(glass->absorption_per_mm(lambda_nm) * settings_.spectral.mm_per_unit);
+    if (is_black(absorption)) absorption.clear();
   }
+  make_segments(std::move(absorption));
   using Kind = scene::DispersionMode::Kind;
   auto const mode = plan::effective_mode(interior, settings_, plan_.dispersion_override);
   bool const wanted = mode.kind != Kind::None;
@@ -60,6 +65,9 @@ Medium MediaCompiler::compile(scene::Interior const& interior) {
     medium.index.push_back(glass->index_unchecked(lambda_nm));
   if (mode.kind == Kind::Stochastic) medium.comb = comb_number(mode.comb);
   if (mode.kind == Kind::Adaptive) medium.tolerance_px = mode.tolerance_px;
+  stage_.has_adaptive = stage_.has_adaptive || medium.tolerance_px > 0;
+  medium.policy = &transport::policy_of(medium.comb >= 0 ? &stage_.comb(medium.comb) : nullptr,
+                                        medium.tolerance_px);
   return medium;
 }
 

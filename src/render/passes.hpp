@@ -3,8 +3,8 @@
 
 #include "plan/plan.hpp"
 #include "plan/working_space.hpp"
+#include "render/compile.hpp"
 #include "render/render.hpp"
-#include "render/stage.hpp"
 
 namespace abbe::render {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/cut_light.hpp"
 #include "render/marks.hpp"
 #include "render/pixel_sampler.hpp"
+#include "transport/cut_light.hpp"
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ std::uint32_t PixelSampler::corner(std::int64_t x, std::int64_t y, Pixel const& 
 
 void PixelSampler::take_corners() {
   taken_.resize(spots_.size());
-  at_all(spots_.data(), spots_.size(), taken_.data());
+  take(spots_.data(), spots_.size(), taken_.data());
   auto corner = corners_.end() - static_cast<std::ptrdiff_t>(spots_.size());
   for (Sampled& sampled : taken_) {
     for (int c = 0; c < 3; ++c) corner->seen[c] = as_seen(sampled.rgb[c]);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/pixel_sampler.hpp"
 
-#include "render/camera.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,17 +25,7 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       frame_key_(options.seed),
       grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << (options.anti_aliasing.depth - 1)
                                               : 1),
-      negative_is_wrong_(options.check_finite && negative_light_is_wrong(stage)) {}
-
-Sampled PixelSampler::at(Spot const& spot) {
-  Sampled out;
-  if (options_.spectral_output) out.bands.resize(stage_.film_bands());
-  auto const ray = camera_ray(stage_.camera, spot.x, spot.y, options_.width, options_.height);
-  out.rgb = tracer_.sample(ray, spot.key, out.bands);
-  out.lost = tracer_.lost_of(0);
-  if (options_.check_finite) check(spot, 0, out.rgb);
-  return out;
-}
+      negative_is_wrong_(options.check_finite && transport::negative_light_is_wrong(stage)) {}
 
 void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
   auto const row_of = [](Pixel const& pixel) { return std::pair(pixel.y, pixel.x); };
@@ -46,34 +34,38 @@ void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
     wrong_ = Wrong{*kind, spot.pixel, spot.x, spot.y, spot.key, rgb};
 }
 
-void PixelSampler::at_together(Spot const* spots, std::size_t count, Sampled* out) {
-  geometry::FanLines rays;
-  rays.count = count;
-  double x[geometry::fan_width], y[geometry::fan_width]; // whole fours
-  for (std::size_t k = 0; k < (count + 3) / 4 * 4; ++k) {
-    x[k] = spots[std::min(k, count - 1)].x;
-    y[k] = spots[std::min(k, count - 1)].y;
-  }
-  camera_rays(stage_.camera, x, y, options_.width, options_.height, rays);
-  SampleKey keys[geometry::fan_width];
-  for (std::size_t k = 0; k < count; ++k) keys[k] = spots[k].key;
-  tracer_.samples(rays, {keys, count});
-  for (std::size_t k = 0; k < count; ++k) {
-    out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
-    out[k].rgb = tracer_.light_of(k, out[k].bands);
-    out[k].lost = tracer_.lost_of(k);
-    if (options_.check_finite) check(spots[k], k, out[k].rgb);
-  }
+std::size_t PixelSampler::place_of(Pixel const& pixel) const {
+  Region const region = options_.pixels();
+  auto const width = static_cast<std::size_t>(region.x1 - region.x0);
+  return static_cast<std::size_t>(pixel.y - region.y0) * width
+         + static_cast<std::size_t>(pixel.x - region.x0);
 }
 
-void PixelSampler::at_all(Spot const* spots, std::size_t count, Sampled* out) {
-  std::size_t const most = tracer_.together() ? geometry::fan_width : 1;
-  for (std::size_t first = 0; first < count; first += most) {
-    std::size_t const some = std::min(most, count - first);
-    if (some > 1)
-      at_together(spots + first, some, out + first);
-    else
-      out[first] = at(spots[first]);
+void PixelSampler::take(Spot const* spots, std::size_t count, Sampled* out) {
+  std::size_t const most = tracer_.batch();
+  for (; count > 0;) {
+    std::size_t const some = std::min(most, count);
+    x_.resize(some);
+    y_.resize(some);
+    keys_.resize(some);
+    for (std::size_t k = 0; k < some; ++k) {
+      x_[k] = spots[k].x;
+      y_[k] = spots[k].y;
+      keys_[k] = spots[k].key;
+    }
+    tracer_.trace({x_.data(), y_.data(), some, options_.width, options_.height}, keys_);
+    for (std::size_t k = 0; k < some; ++k) {
+      out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
+      out[k].rgb = tracer_.light_of(k, out[k].bands);
+      out[k].lost = tracer_.lost_of(k);
+      if (options_.rays_of_pixels)
+        (*options_.rays_of_pixels)[place_of(spots[k].pixel)] +=
+            static_cast<float>(tracer_.rays_of(k));
+      if (options_.check_finite) check(spots[k], k, out[k].rgb);
+    }
+    spots += some;
+    out += some;
+    count -= some;
   }
 }
 
@@ -98,7 +90,7 @@ PixelSampler::Spot PixelSampler::centre(Pixel const& pixel) const {
 void PixelSampler::centres(std::span<Pixel const> pixels, Sampled* out) {
   spots_.clear();
   for (Pixel const& pixel : pixels) spots_.push_back(centre(pixel));
-  at_all(spots_.data(), spots_.size(), out);
+  take(spots_.data(), spots_.size(), out);
 }
 
 void PixelSampler::add_grid(Pixel const& pixel) {
@@ -125,7 +117,7 @@ void PixelSampler::refined(std::span<Pixel const> pixels, bool middle, Sampled* 
     add_grid(pixel);
   }
   taken_.resize(spots_.size());
-  at_all(spots_.data(), spots_.size(), taken_.data());
+  take(spots_.data(), spots_.size(), taken_.data());
   std::size_t const each = spots_.size() / pixels.size();
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     Sampled& sum = out[i];

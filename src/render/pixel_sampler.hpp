@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/compile.hpp"
 #include "render/number_table.hpp"
 #include "render/pixel_order.hpp"
 #include "render/render.hpp"
+#include "transport/tracer.hpp"
 
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace abbe::render {
+
+using transport::CutLight, transport::SampleKey, transport::Tracer;
 
 /// Colour of a pixel or sample, with its spectrum when that is wanted.
 struct Sampled {
@@ -27,8 +31,7 @@ class PixelSampler {
 public:
   PixelSampler(Stage const& stage, RenderOptions const& options, Tracer& tracer);
 
-  /// One ray through the middle of each pixel, traced together where that can be. @param out one a
-  /// pixel
+  /// One ray through the middle of each pixel. @param out one a pixel
   void centres(std::span<Pixel const> pixels, Sampled* out);
   /// Method 1: the mean of the grid of each pixel, and of its middle. @param middle false: of the
   /// grid alone
@@ -62,10 +65,10 @@ private:
   Spot spot(double x, double y, RandomKey key, std::uint64_t number, Pixel const& pixel) const;
   Spot centre(Pixel const& pixel) const;
   void add_grid(Pixel const& pixel);
-  Sampled at(Spot const& spot);
-  /// at() for each, with the same bits. @param count any
-  void at_all(Spot const* spots, std::size_t count, Sampled* out);
-  void at_together(Spot const* spots, std::size_t count, Sampled* out);
+  /// In the region.
+  std::size_t place_of(Pixel const& pixel) const;
+  /// @param count any
+  void take(Spot const* spots, std::size_t count, Sampled* out);
   /// @param place of the sample among those that the tracer has just traced
   void check(Spot const& spot, std::size_t place, Vec3 const& rgb);
   // Method 2 (pixel_corners.cpp). Places are counted in steps of its grid.
@@ -97,7 +100,9 @@ private:
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
-  std::vector<Spot> spots_;    ///< in work
+  std::vector<Spot> spots_; ///< in work
+  std::vector<double> x_, y_;
+  std::vector<SampleKey> keys_;
   std::vector<Sampled> taken_; ///< of spots_
   std::uint64_t lost_ = 0;
   std::vector<Corner> corners_;

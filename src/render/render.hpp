@@ -3,14 +3,17 @@
 
 #include "image/image.hpp"
 #include "plan/plan.hpp"
-#include "render/tracer.hpp"
 #include "scene/scene.hpp"
+#include "transport/path_record.hpp"
+#include "transport/ray_counts.hpp"
 
 #include <atomic>
 #include <functional>
 #include <optional>
 
 namespace abbe::render {
+
+using transport::BadSample, transport::PathStep, transport::RayCounts;
 
 /// POV-Ray's two methods of anti-aliasing. Method 1 re-samples pixels that differ from a neighbour
 /// on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to `depth` - 1
@@ -68,7 +71,6 @@ struct RenderOptions {
   /// About how much memory the rows in work may take.
   std::size_t rows_bytes = std::size_t{32} << 20;
   /// Filled with the number of rays of each pixel of the region, row by row (cost map).
-  /// Makes pixels one by one: slower, the same picture.
   /// @pre no checkpoint: tiles taken from one have no such record
   std::vector<float>* rays_of_pixels = nullptr;
   /// Finished tiles are kept in it, and taken from it. Must have been resumed, if at all.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "image/image.hpp"
-#include "render/tracer.hpp"
+#include "render/render.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -21,24 +21,27 @@ std::optional<std::span<int const>> Reader::same(SurfaceCrossing const& crossing
   return std::nullopt;
 }
 
-bool Reader::from_inside(HitGroup const& hit, SurfaceCrossing const& crossing, Vec3 const& point,
-                         Vec3 const& direction) const {
-  if (world_.shape(crossing.primitive).side() == Side::Crossing) return !crossing.entering;
-  bool const along =
-      glm::dot(direction, world_.facing(crossing.primitive, crossing.face, point)) > 0;
+bool Reader::inverse(HitGroup const& hit, SurfaceCrossing const& crossing) {
   auto const member =
       std::find_if(hit.members.begin(), hit.members.end(), [&](auto const& candidate) {
         return candidate.primitive == crossing.primitive && candidate.face == crossing.face;
       });
-  bool const inverse = member != hit.members.end() && member->was_entering != crossing.entering;
+  return member != hit.members.end() && member->was_entering != crossing.entering;
+}
+
+bool Reader::from_inside(SurfaceCrossing const& crossing, bool inverse, Vec3 const& point,
+                         Vec3 const& direction) const {
+  if (world_.shape(crossing.primitive).side() == Side::Crossing) return !crossing.entering;
+  bool const along =
+      glm::dot(direction, world_.facing(crossing.primitive, crossing.face, point)) > 0;
   return along != inverse;
 }
 
-SeenLayers Reader::at(HitGroup const& hit, SurfaceCrossing const& crossing, Vec3 const& point,
+SeenLayers Reader::at(SurfaceCrossing const& crossing, bool inverse, Vec3 const& point,
                       Vec3 const& direction) const {
   Surface const surface = textures_.surfaces[crossing.primitive];
   SeenLayers out;
-  if (!surface.interior_layers.empty() && from_inside(hit, crossing, point, direction)) {
+  if (!surface.interior_layers.empty() && from_inside(crossing, inverse, point, direction)) {
     out.part[0].layers = surface.interior_layers;
     return out;
   }
@@ -79,7 +82,7 @@ void Reader::tint_by(std::span<int const> layers, double focus, Passing const& l
   for (int k = 0; layers.empty() && focus != 1 && k < lanes; ++k) left[k] *= focus;
 }
 
-void Reader::tint(HitGroup const& hit, SurfaceCrossing const& crossing, double caustics,
+void Reader::tint(SurfaceCrossing const& crossing, bool inverse, double caustics,
                   Passing const& light, Arena& arena) const {
   double focus = 1;
   if (caustics != 0) {
@@ -88,7 +91,7 @@ void Reader::tint(HitGroup const& hit, SurfaceCrossing const& crossing, double c
     focus += simd::pow(std::abs(glm::dot(normal, light.direction)), 45 * caustics);
   }
   if (auto const layers = same(crossing)) return tint_by(*layers, focus, light, arena);
-  SeenLayers const seen = at(hit, crossing, light.point, light.direction);
+  SeenLayers const seen = at(crossing, inverse, light.point, light.direction);
   if (seen.count == 1) return tint_by(seen.part[0].layers, focus, light, arena);
   Arena::Scope const scope(arena);
   auto const lanes = static_cast<std::size_t>(light.lanes);

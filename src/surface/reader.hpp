@@ -31,10 +31,12 @@ public:
 
   /// The layers that all rays see which share this crossing; nullopt: ask at().
   std::optional<std::span<int const>> same(geometry::SurfaceCrossing const& crossing) const;
-  /// @param hit that the crossing is of
+  /// @param inverse the solid's inside is outside of the crossing's primitive
   /// @param direction of the ray
-  SeenLayers at(geometry::HitGroup const& hit, geometry::SurfaceCrossing const& crossing,
-                Vec3 const& point, Vec3 const& direction) const;
+  SeenLayers at(geometry::SurfaceCrossing const& crossing, bool inverse, Vec3 const& point,
+                Vec3 const& direction) const;
+  /// Is the inside of a crossing's solid outside of its primitive? @param hit that it is of
+  static bool inverse(geometry::HitGroup const& hit, geometry::SurfaceCrossing const& crossing);
 
   /// Light that passes straight through.
   struct Passing {
@@ -45,12 +47,12 @@ public:
     double* left; ///< a value a lane
   };
   /// Leaves what the surface lets pass. @param caustics of the solid's interior
-  void tint(geometry::HitGroup const& hit, geometry::SurfaceCrossing const& crossing,
-            double caustics, Passing const& light, Arena& arena) const;
+  void tint(geometry::SurfaceCrossing const& crossing, bool inverse, double caustics,
+            Passing const& light, Arena& arena) const;
 
 private:
-  bool from_inside(geometry::HitGroup const& hit, geometry::SurfaceCrossing const& crossing,
-                   Vec3 const& point, Vec3 const& direction) const;
+  bool from_inside(geometry::SurfaceCrossing const& crossing, bool inverse, Vec3 const& point,
+                   Vec3 const& direction) const;
   void tint_by(std::span<int const> layers, double focus, Passing const& light, Arena& arena) const;
 
   Textures const& textures_;

@@ -38,6 +38,10 @@ public:
     SurfaceLayers const& own = others_[static_cast<std::size_t>(~number)];
     return {own.layers, own.interior_layers, own.face_layers, own.double_illuminate};
   }
+  /// Is it one layer, and nothing else?
+  bool single_layer(geometry::PrimitiveId primitive) const { return number_[primitive] >= 0; }
+  /// The layer's number where it is one; else below zero, and the same for the same Surface.
+  int number(geometry::PrimitiveId primitive) const { return number_[primitive]; }
   /// Where the object stands that a primitive is made from, and what it was called.
   struct Origin {
     Span span;

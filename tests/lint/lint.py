@@ -27,9 +27,10 @@ MAY_INCLUDE = {
     'lang': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
     'plan': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'image'},
     'surface': {'base', 'simd', 'geometry', 'texture', 'scene'},
-    'render': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'image'},
-    'job': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image'},
-    'study': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'render', 'image', 'job'},
+    'transport': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'surface'},
+    'render': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'transport', 'image'},
+    'job': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'transport', 'render', 'image'},
+    'study': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'plan', 'surface', 'transport', 'render', 'image', 'job'},
 }
 MAY_INCLUDE['cli'] = set(MAY_INCLUDE)
 

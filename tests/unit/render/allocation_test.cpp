@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/camera.hpp"
+#include "render/compile.hpp"
 #include "table_scene.hpp"
+#include "transport/tracer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,31 +45,22 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 namespace abbe::render::testing {
 namespace {
 
-/// Samples of a whole picture, one by one or, where that can be, together.
-void take_samples(Stage const& stage, Tracer& tracer, bool together) {
+using transport::SampleKey, transport::Tracer;
+
+/// Samples of a whole picture.
+void take_samples(Tracer& tracer) {
   constexpr int size = 32;
-  static_assert(size % geometry::fan_width == 0);
+  double x[size], y[size];
+  SampleKey keys[size];
   Vec3 sum(0);
-  for (int y = 0; y < size; ++y) {
-    geometry::FanLines rays;
-    SampleKey keys[geometry::fan_width];
-    rays.count = 0;
-    for (int x = 0; x < size; ++x) {
-      auto const ray = camera_ray(stage.camera, x + 0.5, y + 0.5, size, size);
-      auto const pixel = static_cast<std::uint64_t>(y * size + x);
-      if (!together) {
-        sum += tracer.sample(ray, {RandomKey(1).child(pixel), 0}, {});
-        continue;
-      }
-      rays.origin.set(rays.count, ray.origin);
-      rays.direction.set(rays.count, ray.direction);
-      rays.origin_error.set(rays.count, ray.origin_error);
-      keys[rays.count] = {RandomKey(1).child(pixel), 0};
-      if (++rays.count < geometry::fan_width) continue;
-      tracer.samples(rays, keys);
-      for (std::size_t k = 0; k < rays.count; ++k) sum += tracer.light_of(k, {});
-      rays.count = 0;
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      x[column] = column + 0.5;
+      y[column] = row + 0.5;
+      keys[column] = {RandomKey(1).child(static_cast<std::uint64_t>(row * size + column)), 0};
     }
+    tracer.trace({x, y, size, size, size}, keys);
+    for (std::size_t k = 0; k < size; ++k) sum += tracer.light_of(k, {});
   }
   EXPECT_GT(sum.x, 0);
 }
@@ -78,13 +70,10 @@ void expect_no_allocation(scene::Scene const& scene) {
   ASSERT_TRUE(plan);
   Stage const stage = compile(scene, *plan);
   Tracer tracer(stage);
-  for (bool const together : {false, true}) {
-    if (together && !tracer.together()) continue;
-    take_samples(stage, tracer, together); // scratch memory grows to what it needs
-    std::size_t const before = taken;
-    take_samples(stage, tracer, together);
-    EXPECT_EQ(taken, before) << (together ? "together" : "one by one");
-  }
+  take_samples(tracer); // scratch memory grows to what it needs
+  std::size_t const before = taken;
+  take_samples(tracer);
+  EXPECT_EQ(taken, before);
 }
 
 TEST(Allocation, NoneForSamplesOfRgb) {

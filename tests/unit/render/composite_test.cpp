@@ -2,8 +2,9 @@
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "optics/spectrum.hpp"
-#include "render/tracer.hpp"
+#include "render/compile.hpp"
 #include "scenes.hpp"
+#include "transport/tracer.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -71,11 +72,13 @@ TEST(Composite, LinesStandAtTheirAngles) {
       ASSERT_TRUE(own_plan);
       ASSERT_EQ(own_plan->spectral->lines_nm, std::vector<double>{line_nm});
       Stage const own = compile(only, *own_plan);
-      Tracer alone(own);
+      transport::Tracer alone(own);
       auto const light = [&](double angle_rad) {
-        geometry::Ray ray;
-        ray.direction = {std::sin(angle_rad), 0, std::cos(angle_rad)};
-        Vec3 const rgb = alone.sample(ray, {RandomKey(1), 3, 0, 0, RandomKey(1)}, {});
+        // The usual camera: 1.33 across, in the direction of z.
+        double const x = std::tan(angle_rad) / 1.33 + 0.5, y = 0.5;
+        transport::SampleKey const key{RandomKey(1), 3, 0, 0, RandomKey(1)};
+        alone.trace({&x, &y, 1, 1, 1}, {&key, 1});
+        Vec3 const rgb = alone.light_of(0, {});
         return std::abs(rgb.x) + std::abs(rgb.y) + std::abs(rgb.z);
       };
       // Light that was reflected in the prism goes elsewhere: it is a tenth at most.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/batch.hpp"
+#include "scene/scene.hpp"
+
+#include <cstddef>
+#include <memory>
+
+namespace abbe::transport {
+
+/// How large a pixel is at a point that it shows, in scene units: the point's distance from the
+/// camera decides, so that what is seen in a mirror counts as nearer than it is.
+struct Footprint {
+  double size = 0;      ///< where rays are side by side
+  double angle_rad = 0; ///< where they come from one point
+  double at(Vec3 const& point) const { return size + angle_rad * glm::length(point); }
+};
+
+/// Points of the picture, in pixels: (0, 0) is its upper left corner, (width, height) the lower
+/// right one.
+struct PicturePoints {
+  double const *x, *y;
+  std::size_t count;
+  int width, height;
+};
+
+/// Rays of points of the picture, relative to the camera's location. A new one: a file here, and a
+/// line in cameras.cpp.
+/// @source language notes, section 12
+class Camera {
+public:
+  explicit Camera(Vec3 const& location) : location_(location) {}
+  virtual ~Camera() = default;
+  /// In the scene's coordinates: the origin of the stage.
+  Vec3 const& location() const { return location_; }
+  /// Do all rays start at its location?
+  virtual bool has_one_point() const = 0;
+  /// @param directions unit
+  virtual void rays(PicturePoints const& points, geometry::VectorArrays const& origins,
+                    geometry::VectorArrays const& directions) const = 0;
+  virtual Footprint footprint(int width, int height) const = 0;
+
+private:
+  Vec3 location_;
+};
+
+/// Height or width of a pixel on the picture plane, whichever is less.
+double pixel_size(scene::Camera const& camera, int width, int height);
+
+/// The camera that the scene's is.
+std::unique_ptr<Camera const> make_camera(scene::Camera const& camera);
+
+} // namespace abbe::transport

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "transport/emitter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe::transport {
+
+Emitter::Emitter(Stage const& stage, Arena& arena, WaveTables& waves, SampleFilm& film,
+                 Paths& paths)
+    : stage_(stage), arena_(arena), waves_(waves), film_(film) {
+  fields_.travelled = stage.has_priorities;
+  fields_.path = stage.has_adaptive || paths.records();
+}
+
+void Emitter::start_samples(std::size_t count) {
+  lost_.assign(count, {});
+  lost_apart_.clear();
+  if (counts_samples_) rays_of_sample.assign(count, 0);
+  next_->clear();
+}
+
+Departing Emitter::room(LightKind const& kind, std::size_t count) const {
+  Departing out;
+  out.kind = kind;
+  out.ray = arena_.take<std::uint32_t>(count);
+  out.x = arena_.take<double>(count);
+  out.y = arena_.take<double>(count);
+  out.z = arena_.take<double>(count);
+  out.level = arena_.take<std::uint16_t>(count);
+  out.slot = arena_.take<std::uint32_t>(count);
+  out.channel = arena_.take<std::uint16_t>(count);
+  out.tooth = arena_.take<std::uint16_t>(count);
+  if (kind.listed()) out.channels = arena_.take<std::uint16_t>(count * kind.size());
+  out.light = arena_.take<double>(count * kind.size());
+  return out;
+}
+
+bool Emitter::lose(std::uint32_t slot, double const* light, std::size_t lanes) {
+  SampleFilm::Block const block = film_.block_of(slot);
+  if (film_.is_sample(block)) {
+    Vec3 const sum = film_.size_of(slot, light, lanes, waves_);
+    if (sum == Vec3(0)) return false;
+    for (int c = 0; c < 3; ++c) lost_[block][static_cast<std::size_t>(c)].add(sum[c]);
+    return true;
+  }
+  std::size_t const at = slot - film_.first(static_cast<SampleFilm::Block>(lost_.size()));
+  if (lost_apart_.size() < at + lanes) lost_apart_.resize(at + lanes);
+  for (std::size_t k = 0; k < lanes; ++k) lost_apart_[at + k].add(std::abs(light[k]));
+  return any_but_zero(light, lanes);
+}
+
+void Emitter::cut(std::uint32_t slot, double const* light, std::size_t lanes) {
+  if (lose(slot, light, lanes)) ++cut_light.paths;
+}
+
+double Emitter::lost_of(std::size_t sample) const {
+  auto const& [r, g, b] = lost_[sample];
+  return std::max({r.value(), g.value(), b.value()});
+}
+
+double Emitter::lost_at(std::uint32_t slot) const {
+  std::size_t const at = slot - film_.first(static_cast<SampleFilm::Block>(lost_.size()));
+  return at < lost_apart_.size() ? lost_apart_[at].value() : 0;
+}
+
+void Emitter::send(Chunk const& chunk, Departing const& rays) {
+  Arena::Scope const scope(arena_);
+  std::size_t const n = rays.kind.size();
+  auto* const going = arena_.take<std::uint32_t>(rays.count);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    double const* const light = rays.light + i * n;
+    bool goes = rays.counted == nullptr || any_above(light, n, stage_.adc_bailout);
+    if (goes && rays.counted != nullptr) {
+      ++(counts.*rays.counted);
+      count_ray(chunk.sample[rays.ray[i]]);
+    }
+    goes = goes && rays.level[i] < stage_.max_trace_level;
+    if (goes)
+      going[count++] = static_cast<std::uint32_t>(i);
+    else
+      cut(rays.slot[i], light, n);
+  }
+  if (count == 0) return;
+  Rays& to = queue({rays.kind, rays.mirrored ? reflection_bit : chunk.mask, rays.mirrored});
+  std::size_t const first = to.add(count);
+  auto const each = [&](auto const& work) {
+    for (std::size_t i = 0; i < count; ++i) work(first + i, going[i]);
+  };
+  each([&](std::size_t k, std::uint32_t i) { to.origin.x[k] = chunk.point.x[rays.ray[i]]; });
+  each([&](std::size_t k, std::uint32_t i) { to.origin.y[k] = chunk.point.y[rays.ray[i]]; });
+  each([&](std::size_t k, std::uint32_t i) { to.origin.z[k] = chunk.point.z[rays.ray[i]]; });
+  each([&](std::size_t k, std::uint32_t i) {
+    to.origin_error.set(k, chunk.point_error.get(rays.ray[i]));
+  });
+  each([&](std::size_t k, std::uint32_t i) {
+    to.direction.set(k, {rays.x[i], rays.y[i], rays.z[i]});
+  });
+  bool const through = !rays.mirrored;
+  each([&](std::size_t k, std::uint32_t i) {
+    std::uint32_t const r = rays.ray[i];
+    to.start[k] = chunk.start_of(r, through);
+    to.stack[k] = through ? chunk.after[r] : chunk.before[r];
+    to.slot[k] = rays.slot[i];
+    to.channel[k] = rays.channel[i];
+    to.tooth[k] = rays.tooth[i];
+    to.level[k] = rays.level[i];
+    std::copy_n(rays.light + i * n, n, to.light_of(k));
+  });
+  if (rays.kind.listed())
+    each([&](std::size_t k, std::uint32_t i) {
+      std::copy_n(rays.channels + i * n, n, to.channels.data() + k * n);
+    });
+  if (fields_.travelled)
+    each([&](std::size_t k, std::uint32_t i) {
+      to.travelled[k] = rays.counted == nullptr ? chunk.travelled[rays.ray[i]] : 0;
+    });
+  if (fields_.path)
+    each([&](std::size_t k, std::uint32_t i) {
+      to.path[k] = rays.path != nullptr ? rays.path[i] : chunk.path[rays.ray[i]];
+    });
+}
+
+} // namespace abbe::transport

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/arena.hpp"
+#include "transport/chunk.hpp"
+#include "transport/cut_light.hpp"
+#include "transport/paths.hpp"
+#include "transport/ray_counts.hpp"
+#include "transport/sample_film.hpp"
+
+namespace abbe::transport {
+
+/// What the rays of a queue have in common. Rays that come back from a surface and rays that go on
+/// stand apart: so the order of a sample's rays does not depend on which others are worked on with
+/// them.
+struct QueueKey {
+  LightKind kind;
+  std::uint8_t mask = camera_bit;
+  bool mirrored = false;
+  auto operator<=>(QueueKey const&) const = default;
+};
+
+/// Rays that leave what a chunk met, in any number; arrays have a value for each of them, or for
+/// each of their lanes.
+struct Departing {
+  LightKind kind;
+  bool mirrored = false;
+  std::uint64_t RayCounts::*counted = nullptr; ///< null: the same ray goes on
+  std::size_t count = 0;
+  std::uint32_t* ray = nullptr;                    ///< of the chunk, that it comes of
+  double *x = nullptr, *y = nullptr, *z = nullptr; ///< directions
+  std::uint16_t* level = nullptr;
+  std::uint32_t* slot = nullptr;
+  std::uint16_t *channel = nullptr, *tooth = nullptr;
+  std::uint16_t* channels = nullptr; ///< a lane; where the kind lists them
+  double* light = nullptr;           ///< a lane
+  std::uint32_t* path = nullptr;     ///< null: the chunk's
+};
+
+/// Puts rays into the queues of the next generation, or notes what is cut of their light.
+class Emitter {
+public:
+  Emitter(Stage const& stage, Arena& arena, WaveTables& waves, SampleFilm& film, Paths& paths);
+
+  void start_samples(std::size_t count);
+  /// Room for so many; they are in the arena.
+  Departing room(LightKind const& kind, std::size_t count) const;
+  void send(Chunk const& chunk, Departing const& rays);
+  /// Light of a ray that is not followed.
+  void cut(std::uint32_t slot, double const* light, std::size_t lanes);
+  /// The light is lost, or may be. @return false: nothing that can be seen
+  bool lose(std::uint32_t slot, double const* light, std::size_t lanes);
+
+  Queues<QueueKey>& next() { return *next_; }
+  Rays::Fields const& fields() const { return fields_; }
+  Rays& queue(QueueKey const& key) { return next_->of(key, key.kind, fields_); }
+  /// What is next becomes what is now.
+  Queues<QueueKey>& turn() {
+    std::swap(now_, next_);
+    next_->clear();
+    return *now_;
+  }
+
+  /// Of a sample: of red, green or blue, whichever lost most.
+  double lost_of(std::size_t sample) const;
+  /// Of what is gathered apart, by slot.
+  double lost_at(std::uint32_t slot) const;
+
+  RayCounts counts;
+  CutLight cut_light;
+  /// By sample, where asked for (count_rays()).
+  std::vector<std::uint32_t> rays_of_sample;
+  void count_rays() { counts_samples_ = true; }
+  void count_ray(std::size_t sample) {
+    if (counts_samples_) ++rays_of_sample[sample];
+  }
+
+private:
+  Stage const& stage_;
+  Arena& arena_;
+  WaveTables& waves_;
+  SampleFilm& film_;
+  Rays::Fields fields_;
+  Queues<QueueKey> queues_[2];
+  Queues<QueueKey>*now_ = queues_, *next_ = queues_ + 1;
+  std::vector<std::array<LightSum, 3>> lost_; ///< by sample
+  std::vector<LightSum> lost_apart_;          ///< by slot, from that of the first block apart on
+  bool counts_samples_ = false;
+};
+
+} // namespace abbe::transport

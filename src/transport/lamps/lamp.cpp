@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "transport/lamps/lamp.hpp"
+
+#include "simd/math.hpp"
+#include "simd/native.hpp"
+
+#include <cmath>
+
+namespace abbe::transport {
+namespace {
+
+struct FindCosines {
+  template <class L>
+  static void run(Vectors const& normals, std::size_t count, Aim& out) {
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
+      lane::store(out.cosine.value + k,
+                  lane::dot(load<Lanes>(normals, k), load<Lanes>(out.direction, k)));
+    });
+  }
+};
+simd::Native<FindCosines> const find_cosines;
+
+} // namespace
+
+void Lamp::aim(Vectors const& points, Vectors const& normals, std::size_t count, Aim& out) const {
+  find_ways(points, count, out);
+  find_cosines(normals, count, out);
+  out.comes = first_rays(count);
+  if (lights_itself()) return;
+  for (std::size_t k = 0; k < count; ++k)
+    if (out.distance[k] == 0) out.comes &= ~(RaySet{1} << k);
+}
+
+bool Lamp::strengths(Aim const& aim, RaySet rays, double* out) const {
+  if (even() && !fades()) return false;
+  each_of(rays, [&](std::size_t r) {
+    double strength = even() ? 1 : towards(aim.direction.get(r));
+    if (fades())
+      strength *= 2 / (1 + simd::pow(aim.distance[r] / common_.fade_distance, common_.fade_power));
+    out[r] = std::isfinite(strength) ? strength : 0; // negative distances have no broken powers
+  });
+  return true;
+}
+
+} // namespace abbe::transport

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "transport/lamps/lamp.hpp"
+
+namespace abbe::transport {
+
+/// Light that comes from a point.
+class PointLamp : public Lamp {
+public:
+  PointLamp(Common common, Vec3 const& position) : Lamp(std::move(common)), position_(position) {}
+
+protected:
+  void find_ways(Vectors const& points, std::size_t count, Aim& out) const override;
+
+private:
+  Vec3 position_; ///< relative to the camera
+};
+
+} // namespace abbe::transport

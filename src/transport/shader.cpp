@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "transport/shader.hpp"
+
+#include "optics/fresnel.hpp"
+#include "simd/math.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace abbe::transport {
+
+using surface::CompiledFinish, surface::CompiledLayer, surface::CompiledPigment,
+    surface::CompiledReflection, surface::SeenLayers;
+
+double metallic_falloff(double cosine) {
+  double const x = simd::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
+  double const d = x - 1.12;
+  return std::clamp(0.014567225 / (d * d) - 0.011612903, 0.0, 1.0);
+}
+
+template <int Lanes>
+SurfaceLight Shader<Lanes>::shade() {
+  SurfaceLight out;
+  out.passed = take_lanes(1.0);
+  out.mirrored = take_lanes(0.0);
+  std::fill_n(out.exponent.value, chunk_.count, 1.0);
+  std::size_t const lamps = stage_.lamps.size();
+  out.of_lamp = arena_.take<double*>(lamps);
+  out.lit = arena_.take<RaySet>(lamps);
+  std::fill_n(out.of_lamp, lamps, nullptr);
+  std::fill_n(out.lit, lamps, RaySet{0});
+  out.aims = &aims_;
+  RaySet rays = first_rays(chunk_.count);
+  if (chunk_.group == nullptr) {
+    shade_single(rays, out);
+    return out;
+  }
+  // What is left comes before what is entered: that is the order in which the light meets them.
+  auto const& crossings = chunk_.crossings;
+  auto const shown = std::find_if(crossings.begin(), crossings.end(),
+                                  [](auto const& crossing) { return crossing.entering; });
+  auto const* const carrier = shown != crossings.end() ? &*shown : crossings.data();
+  for (bool const entering : {false, true})
+    for (auto const& crossing : crossings)
+      if (crossing.entering == entering) {
+        shade_crossing(crossing, &crossing == carrier, rays, out);
+        rays = with_light(rays, out.passed, 0);
+        if (rays == 0) return out;
+      }
+  return out;
+}
+
+template <int Lanes>
+void Shader<Lanes>::shade_single(RaySet rays, SurfaceLight& out) {
+  auto const& surfaces = stage_.textures.surfaces;
+  surface::Surface const first = surfaces[chunk_.hit[0].primitive];
+  if (first.bare()) return;
+  Side const side{first.double_illuminate, true};
+  // The rays of a chunk have surfaces of one class (Buckets): one layer each, of one finish; or the
+  // same layers.
+  if (surfaces.single_layer(chunk_.hit[0].primitive)) {
+    int* const layer = arena_.take<int>(chunk_.count);
+    for (std::size_t r = 0; r < chunk_.count; ++r)
+      layer[r] = surfaces[chunk_.hit[r].primitive].layers[0];
+    return shade_layer({0, layer}, side, rays, out);
+  }
+  surface::Reader const reader = stage_.reader();
+  auto const crossing_of = [&](std::size_t r) {
+    geometry::RayHit const& hit = chunk_.hit[r];
+    return geometry::SurfaceCrossing{hit.solid, hit.primitive, hit.face,
+                                     0,         hit.entering,  hit.toggles};
+  };
+  if (auto const layers = reader.same(crossing_of(0)))
+    return shade_layers(*layers, side, rays, out);
+  auto* const seen = arena_.take<SeenLayers>(chunk_.count);
+  for (std::size_t r = 0; r < chunk_.count; ++r) {
+    geometry::RayHit const& hit = chunk_.hit[r];
+    bool const inverse = hit.was_entering != hit.entering;
+    seen[r] = reader.at(crossing_of(r), inverse, chunk_.point.get(r), chunk_.direction.get(r));
+  }
+  shade_seen(rays, side, out, seen);
+}
+
+template <int Lanes>
+void Shader<Lanes>::shade_crossing(geometry::SurfaceCrossing const& crossing, bool carries,
+                                   RaySet rays, SurfaceLight& out) {
+  Side const side{stage_.textures.surfaces[crossing.primitive].double_illuminate, carries};
+  surface::Reader const reader = stage_.reader();
+  if (auto const layers = reader.same(crossing)) return shade_layers(*layers, side, rays, out);
+  auto* const seen = arena_.take<SeenLayers>(chunk_.count);
+  bool const inverse = reader.inverse(*chunk_.group, crossing);
+  each_of(rays, [&](std::size_t r) {
+    seen[r] = reader.at(crossing, inverse, chunk_.point.get(r), chunk_.direction.get(r));
+  });
+  shade_seen(rays, side, out, seen);
+}
+
+template <int Lanes>
+void Shader<Lanes>::shade_seen(RaySet rays, Side const& side, SurfaceLight& out,
+                               SeenLayers const* seen) {
+  std::size_t most = 1;
+  each_of(rays, [&](std::size_t r) { most = std::max(most, seen[r].count); });
+  auto const visit_same = [&](std::size_t part, RaySet among, auto const& work) {
+    while (among != 0) {
+      auto const first = static_cast<std::size_t>(std::countr_zero(among));
+      std::span<int const> const layers = seen[first].part[part].layers;
+      RaySet same = 0;
+      each_of(among, [&](std::size_t r) {
+        auto const& own = seen[r].part[part].layers;
+        if (own.data() == layers.data() && own.size() == layers.size()) same |= RaySet{1} << r;
+      });
+      among &= ~same;
+      work(layers, same);
+    }
+  };
+  if (most == 1)
+    return visit_same(0, rays, [&](std::span<int const> layers, RaySet same) {
+      shade_layers(layers, side, same, out);
+    });
+  // Each texture shades its share of the light.
+  Arena::Scope const scope(arena_);
+  std::size_t const lanes = chunk_.count * each();
+  auto const copy = [&](double const* values) {
+    auto* const own = take_lanes();
+    std::copy_n(values, lanes, own);
+    return own;
+  };
+  double const* const arriving = copy(out.passed);
+  double* const mirrored = copy(out.mirrored);
+  double* const left = take_lanes(0.0);
+  for (std::size_t part = 0; part < most; ++part) {
+    RaySet having = 0;
+    each_of(rays, [&](std::size_t r) {
+      if (part < seen[r].count) having |= RaySet{1} << r;
+    });
+    each_lane(having, [&](std::size_t r, std::size_t k) {
+      out.passed[k] = arriving[k] * seen[r].part[part].share;
+      out.mirrored[k] = 0;
+    });
+    visit_same(part, having, [&](std::span<int const> layers, RaySet same) {
+      shade_layers(layers, side, same, out);
+    });
+    each_lane(having, [&](std::size_t r, std::size_t k) {
+      left[k] += out.passed[k];
+      mirrored[k] += out.mirrored[k] * seen[r].part[part].share;
+    });
+  }
+  each_lane(rays, [&](std::size_t, std::size_t k) {
+    out.mirrored[k] = mirrored[k];
+    out.passed[k] = left[k];
+  });
+}
+
+template <int Lanes>
+void Shader<Lanes>::shade_layers(std::span<int const> layers, Side const& side, RaySet rays,
+                                 SurfaceLight& out) {
+  for (auto layer = layers.rbegin(); layer != layers.rend() && rays != 0; ++layer) {
+    shade_layer({*layer, nullptr}, side, rays, out);
+    rays = with_light(rays, out.passed, std::max(0.0, stage_.adc_bailout));
+  }
+}
+
+template <int Lanes>
+void Shader<Lanes>::shade_layer(Layer const& layer, Side const& side, RaySet rays,
+                                SurfaceLight& out) {
+  auto const first = static_cast<std::size_t>(std::countr_zero(rays));
+  CompiledFinish const& finish =
+      stage_.textures.finish(stage_.textures.layers[static_cast<std::size_t>(layer.of(first))]);
+  Pigments pigment;
+  pigments_at(layer, rays, pigment);
+  bool opaque = false;
+  each_of(rays, [&](std::size_t r) { opaque = opaque || pigment.opaque[r] != 0; });
+  if (lit_by_lamps_) {
+    if (opaque) add_glow(finish, pigment, rays, out);
+    bool const shines = finish.phong != 0 || finish.specular != 0;
+    bool const scatters = opaque && (finish.diffuse != 0 || finish.diffuse_back != 0);
+    if (shines || scatters)
+      for (std::size_t lamp = 0; lamp < stage_.lamps.size(); ++lamp)
+        add_lamp(lamp, finish, pigment, side.double_illuminate, rays, out);
+  }
+  double* mirror = nullptr;
+  if (finish.reflection) {
+    mirror = take_lanes();
+    reflectivity(*finish.reflection, pigment.colour, side.carries, rays, mirror);
+    add_mirror(*finish.reflection, mirror, side.carries, rays, out);
+  }
+  double *const passed = out.passed, *const colour = pigment.colour;
+  each_lane(rays, [&](std::size_t r, std::size_t k) {
+    passed[k] *= pigment.filter[r] * colour[k] + pigment.transmit[r];
+  });
+  if (mirror != nullptr && finish.conserve_energy)
+    each_lane(rays, [&](std::size_t, std::size_t k) {
+      passed[k] *= std::min(1.0, std::max(0.0, 1 - mirror[k]));
+    });
+}
+
+template <int Lanes>
+void Shader<Lanes>::add_mirror(CompiledReflection const& reflection, double const* mirror,
+                               bool carries, RaySet rays, SurfaceLight& out) {
+  each_of(rays, [&](std::size_t r) {
+    bool any = false;
+    for (std::size_t k = r * each(); k < (r + 1) * each(); ++k) {
+      out.mirrored[k] += mirror[k];
+      any = any || mirror[k] != 0;
+    }
+    out.mirrors |= RaySet{any} << r;
+    if (carries || out.exponent[r] == 1) out.exponent[r] = reflection.exponent;
+    out.explicit_reflection |= RaySet{carries} << r;
+  });
+}
+
+template <int Lanes>
+void Shader<Lanes>::pigments_at(Layer const& layer, RaySet rays, Pigments& out) {
+  surface::Textures const& textures = stage_.textures;
+  out.colour = take_lanes();
+  std::uint16_t const* const channels = chunk_.channels;
+  each_of(rays, [&](std::size_t r) {
+    CompiledLayer const& own = textures.layers[static_cast<std::size_t>(layer.of(r))];
+    CompiledPigment const& pigment = textures.pigments[static_cast<std::size_t>(own.pigment)];
+    std::size_t const first = r * each();
+    surface::PigmentValue value{out.colour + first};
+    int const lanes = static_cast<int>(each());
+    if (pigment.pattern < 0)
+      surface::plain_pigment<Lanes>(textures, pigment, channels + first, lanes, value);
+    else
+      surface::evaluate_pigment<Lanes>(textures, own.pigment,
+                                       textures.to_texture(own, chunk_.point.get(r)),
+                                       channels + first, lanes, value, arena_);
+    out.filter[r] = value.filter;
+    out.transmit[r] = value.transmit;
+    out.opaque[r] = surface::opacity(textures, value, lanes);
+  });
+}
+
+template <int Lanes>
+void Shader<Lanes>::add_glow(CompiledFinish const& finish, Pigments const& pigment, RaySet rays,
+                             SurfaceLight& out) {
+  if (finish.ambient.empty() && finish.emission.empty()) return;
+  RaySet opaque = 0;
+  each_of(rays, [&](std::size_t r) { opaque |= RaySet{pigment.opaque[r] != 0} << r; });
+  if (out.own == nullptr) out.own = take_lanes(0.0);
+  double* const added = take_lanes();
+  auto const glow = by_channel([&](std::uint16_t c) {
+    return (finish.ambient.empty() ? 0 : finish.ambient[c])
+           + (finish.emission.empty() ? 0 : finish.emission[c]);
+  });
+  find_glow(lanes_of(out.passed, pigment), glow, pigment.opaque.value, added);
+  add(opaque, added, out.own);
+}
+
+template <int Lanes>
+void Shader<Lanes>::reflectivity(CompiledReflection const& reflection, double const* pigment,
+                                 bool carries, RaySet rays, double* out) {
+  std::uint16_t const* const channel = chunk_.channels;
+  if (!reflection.metal_n.empty()) {
+    each_lane(rays, [&](std::size_t r, std::size_t k) {
+      auto const c = channel[k];
+      out[k] = optics::conductor_reflectance<double>(reflection.metal_n[c], reflection.metal_k[c],
+                                                     chunk_.cos_i[r]);
+    });
+    return;
+  }
+  double const *const most = reflection.maximum.data(), *const least = reflection.minimum.data();
+  auto const between = [&](double share, std::uint16_t c) {
+    return share * most[c] + (1 - share) * least[c];
+  };
+  if (reflection.fresnel)
+    each_lane(rays, [&](std::size_t r, std::size_t k) {
+      double const fresnel = !carries                          ? 0
+                             : reflectance_.of_lane != nullptr ? reflectance_.of_lane[k]
+                                                               : reflectance_.of_ray[r];
+      out[k] = between(fresnel, channel[k]);
+    });
+  else
+    each_of(rays, [&](std::size_t r) {
+      double const falloff = reflection.falloff;
+      double const share = falloff == 0 ? 1 : simd::pow(1 - chunk_.cos_i[r], falloff);
+      for (std::size_t k = r * each(); k < (r + 1) * each(); ++k)
+        out[k] = between(share, channel[k]);
+    });
+  if (reflection.metallic == 0) return;
+  each_of(rays, [&](std::size_t r) {
+    double const tint = reflection.metallic * (1 - metallic_falloff(chunk_.cos_i[r]));
+    for (std::size_t k = r * each(); k < (r + 1) * each(); ++k)
+      out[k] *= 1 + tint * (pigment[k] - 1);
+  });
+}
+
+template class Shader<0>;
+template class Shader<1>;
+template class Shader<3>;
+
+SurfaceLight shade(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
+                   LaneReflectance reflectance, bool lit_by_lamps) {
+  auto const with = [&](auto lanes) {
+    return Shader<decltype(lanes)::value>(stage, arena, aims, chunk, reflectance, lit_by_lamps)
+        .shade();
+  };
+  if (chunk.each == 1) return with(std::integral_constant<int, 1>());
+  if (chunk.each == 3) return with(std::integral_constant<int, 3>());
+  return with(std::integral_constant<int, 0>());
+}
+
+} // namespace abbe::transport

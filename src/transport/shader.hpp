@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/arena.hpp"
+#include "surface/pigment.hpp"
+#include "transport/chunk.hpp"
+#include "transport/shade_lanes.hpp"
+
+namespace abbe::transport {
+
+/// What the textures that rays met let through, mirror, and send to the rays by themselves. Arrays
+/// have a value a lane.
+struct SurfaceLight {
+  double* passed = nullptr;
+  double* mirrored = nullptr; ///< asked for by `reflection`, to be added as it is
+  RaySet mirrors = 0;
+  RaySet explicit_reflection = 0; ///< a `reflection` item was given: Fresnel does not come unasked
+  Values exponent;                ///< of `reflection`; of rays in `mirrors`
+  double* own = nullptr;          ///< light that the surface adds, throughput included; null: none
+  double** of_lamp = nullptr;     ///< by lamp: what it adds but for shadows; null: nothing
+  RaySet* lit = nullptr;          ///< by lamp: the rays whose surface it lights
+  std::vector<Aim>* aims = nullptr; ///< by lamp, where it lights any
+};
+
+/// What Fresnel's reflectance is to a texture.
+struct LaneReflectance {
+  double const* of_lane = nullptr; ///< a value a lane
+  double const* of_ray = nullptr;  ///< else a value a ray
+};
+
+/// The textures of the surfaces that rays met. Formulas: POV-Ray's (language notes, section 14).
+/// @tparam Lanes of each ray: compiled apart for one wavelength and for r g b; 0: any number
+template <int Lanes>
+class Shader {
+public:
+  /// @param aims room for one a lamp @param lit_by_lamps false: its light goes nowhere
+  Shader(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
+         LaneReflectance reflectance, bool lit_by_lamps)
+      : stage_(stage),
+        arena_(arena),
+        aims_(aims),
+        chunk_(chunk),
+        each_(chunk.each),
+        in_order_(!chunk.kind.listed() && !chunk.kind.monochromatic()),
+        reflectance_(reflectance),
+        lit_by_lamps_(lit_by_lamps) {}
+
+  /// All surfaces of the hit, nearest side first. Arrays are in the arena.
+  SurfaceLight shade();
+
+private:
+  /// A pigment where each ray met it.
+  struct Pigments {
+    double* colour = nullptr; ///< a value a lane
+    Values filter, transmit, opaque;
+  };
+  /// How a lamp lights each ray's surface.
+  struct Lit {
+    bool shines = false;  ///< it makes highlights
+    bool weakens = false; ///< `strength` is not 1 everywhere
+    Values strength, shine;
+    LitSurface surface;
+  };
+  /// The layers that rays see: for all the same numbers, or each the one of its own.
+  struct Layer {
+    int number = 0;
+    int const* own = nullptr; ///< a ray
+    int of(std::size_t r) const { return own != nullptr ? own[r] : number; }
+  };
+  struct Side {
+    bool double_illuminate = false;
+    /// Of several surfaces that coincide, the one that reflects by Fresnel.
+    bool carries = true;
+  };
+
+  /// Constant where it can be: the loops over lanes are most of the work.
+  std::size_t each() const {
+    if constexpr (Lanes > 0)
+      return Lanes;
+    else
+      return each_;
+  }
+  /// work(k) for each lane of those rays, with r their number.
+  template <class Visit>
+  void each_lane(RaySet rays, Visit&& visit) const {
+    each_of(rays, [&](std::size_t r) {
+      for (std::size_t k = r * each(); k < (r + 1) * each(); ++k) visit(r, k);
+    });
+  }
+  void add(RaySet rays, double const* lanes, double* out) const {
+    each_lane(rays, [&](std::size_t, std::size_t k) { out[k] += lanes[k]; });
+  }
+  /// Of the channels of all rays' lanes; `values` gives that of a channel.
+  template <class Of>
+  ChannelValues by_channel(Of const& values) {
+    if (in_order_) {
+      auto* const own = arena_.take<double>(each() + 8);
+      for (std::size_t c = 0; c < each(); ++c) own[c] = values(static_cast<std::uint16_t>(c));
+      return {own, true};
+    }
+    double* const lanes = take_lanes();
+    for (std::size_t k = 0; k < chunk_.lanes(); ++k) lanes[k] = values(chunk_.channels[k]);
+    return {lanes, false};
+  }
+  ShadedLanes lanes_of(double const* passed, Pigments const& pigment) const {
+    return {chunk_.count, each(), chunk_.light, passed, pigment.colour};
+  }
+  double* take_lanes() { return arena_.take<double>(chunk_.count * each() + 8); }
+  double* take_lanes(double value) {
+    double* const values = take_lanes();
+    std::fill_n(values, chunk_.count * each(), value);
+    return values;
+  }
+  /// Those that have a lane above a threshold.
+  RaySet with_light(RaySet rays, double const* values, double threshold) const {
+    RaySet left = 0;
+    each_of(rays, [&](std::size_t r) {
+      if (any_above(values + r * each(), each(), threshold)) left |= RaySet{1} << r;
+    });
+    return left;
+  }
+
+  void shade_single(RaySet rays, SurfaceLight& out);
+  void shade_crossing(geometry::SurfaceCrossing const& crossing, bool carries, RaySet rays,
+                      SurfaceLight& out);
+  /// Where rays see layers of their own: textures of faces, of the inside of open shapes.
+  void shade_seen(RaySet rays, Side const& side, SurfaceLight& out,
+                  surface::SeenLayers const* seen);
+  void shade_layers(std::span<int const> layers, Side const& side, RaySet rays, SurfaceLight& out);
+  void shade_layer(Layer const& layer, Side const& side, RaySet rays, SurfaceLight& out);
+  void pigments_at(Layer const& layer, RaySet rays, Pigments& out);
+  void add_glow(surface::CompiledFinish const& finish, Pigments const& pigment, RaySet rays,
+                SurfaceLight& out);
+  void reflectivity(surface::CompiledReflection const& reflection, double const* pigment,
+                    bool carries, RaySet rays, double* out);
+  void add_mirror(surface::CompiledReflection const& reflection, double const* mirror, bool carries,
+                  RaySet rays, SurfaceLight& out);
+
+  // shader_lamps.cpp
+  void add_lamp(std::size_t lamp, surface::CompiledFinish const& finish, Pigments const& pigment,
+                bool double_illuminate, RaySet rays, SurfaceLight& out);
+  /// The rays whose surface it lights, but for shadows.
+  RaySet light_up(Lamp const& lamp, Aim const& aim, surface::CompiledFinish const& finish,
+                  Pigments const& pigment, bool double_illuminate, RaySet rays, Lit& out);
+  void find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
+                       bool double_illuminate, RaySet rays, Lit& out);
+
+  Stage const& stage_;
+  Arena& arena_;
+  std::vector<Aim>& aims_;
+  Chunk const& chunk_;
+  std::size_t each_;
+  bool in_order_; ///< each ray has a lane a channel
+  LaneReflectance reflectance_;
+  bool lit_by_lamps_;
+};
+
+/// Shader::shade(), as it suits the number of lanes.
+SurfaceLight shade(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
+                   LaneReflectance reflectance, bool lit_by_lamps);
+
+/// POV-Ray's "Fresnel" tint of metallic highlights, x = angle / 90 degrees.
+double metallic_falloff(double cosine);
+
+} // namespace abbe::transport

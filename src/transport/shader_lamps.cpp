@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "simd/math.hpp"
+#include "transport/shader.hpp"
+
+#include <cmath>
+
+/// What lamps add to a surface.
+namespace abbe::transport {
+
+template <int Lanes>
+void Shader<Lanes>::find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
+                                    bool double_illuminate, RaySet rays, Lit& out) {
+  if (!out.shines) return;
+  std::fill_n(out.shine.value, chunk_.count, 0.0);
+  each_of(rays, [&](std::size_t r) {
+    if (!(aim.cosine[r] > 0 || double_illuminate)) return;
+    double shine = 0;
+    if (double const along = out.surface.mirrored[r]; finish.phong != 0 && along > 0)
+      shine +=
+          finish.phong * (finish.phong_size == 1 ? along : simd::pow(along, finish.phong_size));
+    if (double const along = out.surface.half[r]; finish.specular != 0 && along > 0)
+      shine += finish.specular * simd::pow(along, 1 / finish.roughness);
+    out.shine[r] = shine;
+  });
+}
+
+template <int Lanes>
+RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim,
+                               surface::CompiledFinish const& finish, Pigments const& pigment,
+                               bool double_illuminate, RaySet rays, Lit& out) {
+  rays &= aim.comes;
+  out.weakens = lamp.strengths(aim, rays, out.strength.value);
+  bool const shines = !lamp.shadowless() && (finish.phong != 0 || finish.specular != 0);
+  double const behind = double_illuminate ? finish.diffuse : finish.diffuse_back;
+  light_surfaces({&aim, &chunk_.direction, &chunk_.normal, pigment.opaque.value, finish.diffuse,
+                  behind, shines && finish.phong != 0, shines && finish.specular != 0},
+                 chunk_.count, out.surface);
+  Values& diffuse = out.surface.diffuse;
+  if (finish.brilliance != 1)
+    each_of(rays, [&](std::size_t r) {
+      double const cosine = aim.cosine[r];
+      if (diffuse[r] != 0)
+        diffuse[r] = pigment.opaque[r] * (cosine > 0 ? finish.diffuse : behind)
+                     * simd::pow(std::abs(cosine), finish.brilliance);
+    });
+  out.shines = shines;
+  find_highlights(finish, aim, double_illuminate, rays, out);
+  RaySet lit = 0;
+  each_of(rays, [&](std::size_t r) {
+    bool const is = diffuse[r] != 0 || (shines && out.shine[r] != 0);
+    lit |= RaySet{is && !(out.weakens && out.strength[r] == 0)} << r;
+  });
+  return lit;
+}
+
+template <int Lanes>
+void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& finish,
+                             Pigments const& pigment, bool double_illuminate, RaySet rays,
+                             SurfaceLight& out) {
+  Lamp const& lamp = *stage_.lamps[number];
+  Aim& aim = aims_[number];
+  if (out.lit[number] == 0) lamp.aim(chunk_.point, chunk_.normal, chunk_.count, aim);
+  Lit lit;
+  rays = light_up(lamp, aim, finish, pigment, double_illuminate, rays, lit);
+  if (rays == 0) return;
+  Values tint;
+  if (finish.metallic != 0)
+    each_of(rays, [&](std::size_t r) {
+      tint[r] = finish.metallic * (1 - metallic_falloff(aim.cosine[r]));
+    });
+  double* const added = take_lanes();
+  find_gloss(lanes_of(out.passed, pigment),
+             {by_channel([&](std::uint16_t c) { return lamp.value()[c]; }),
+              lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
+              lit.shines ? lit.shine.value : nullptr, finish.metallic != 0 ? tint.value : nullptr},
+             added);
+  // Light without shadows is the surface's own.
+  double*& to = lamp.shadowless() ? out.own : out.of_lamp[number];
+  if (to == nullptr) to = take_lanes(0.0);
+  add(rays, added, to);
+  out.lit[number] |= rays;
+}
+
+template class Shader<0>;
+template class Shader<1>;
+template class Shader<3>;
+
+} // namespace abbe::transport

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "transport/shadows.hpp"
+
+#include <algorithm>
+
+namespace abbe::transport {
+
+Shadows::Shadows(Stage const& stage, Arena& arena, geometry::Scratch& scratch, SampleFilm& film,
+                 MediaStacks& stacks, Paths& paths)
+    : stage_(stage),
+      arena_(arena),
+      scratch_(scratch),
+      film_(film),
+      stacks_(stacks),
+      paths_(paths),
+      way_(stage, stacks) {
+  fields_.rest = true;
+  fields_.travelled = stage.has_priorities;
+  fields_.path = paths.records();
+}
+
+void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet lit,
+                  double const* light) {
+  Rays& to = queues_.of({chunk.kind, lamp}, chunk.kind, fields_);
+  std::size_t k = to.add(static_cast<std::size_t>(std::popcount(lit)));
+  std::size_t const n = chunk.each;
+  each_of(lit, [&](std::size_t r) {
+    Vec3 const direction = aim.direction.get(r);
+    bool const through = glm::dot(chunk.geometric.get(r), direction) < 0;
+    to.origin.set(k, chunk.point.get(r));
+    to.origin_error.set(k, chunk.point_error.get(r));
+    to.direction.set(k, direction);
+    to.start[k] = chunk.start_of(r, through);
+    to.stack[k] = through ? chunk.after[r] : chunk.before[r];
+    to.slot[k] = chunk.slot[r];
+    to.channel[k] = chunk.channels[r * n];
+    to.rest[k] = aim.distance[r];
+    std::copy_n(light + r * n, n, to.light_of(k));
+    if (chunk.kind.listed()) std::copy_n(chunk.channels + r * n, n, to.channels.data() + k * n);
+    if (fields_.travelled) to.travelled[k] = 0;
+    if (fields_.path) to.path[k] = chunk.path[r];
+    ++k;
+  });
+}
+
+void Shadows::add_to_film(Rays const& rays, std::size_t k) {
+  double const* const light = rays.light_of(k);
+  for (std::uint32_t c = 0; c < rays.kind().size(); ++c) {
+    film_[rays.slot[k] + c] += light[c];
+    if (fields_.path)
+      paths_.add(rays.path[k], light[c], film_.is_sample(film_.block_of(rays.slot[k])));
+  }
+}
+
+void Shadows::finish(geometry::Groups const& groups) {
+  queues_.each([&](Key const&, Rays& rays) {
+    finish(rays, groups);
+    rays.clear();
+  });
+}
+
+void Shadows::finish(Rays& rays, geometry::Groups const& groups) {
+  blocked_.resize(rays.count());
+  stage_.world->occluded(rays.lines(groups), opaque_shadow_bit, rays.rest.data(), scratch_,
+                         blocked_.data());
+  if (stage_.has_filter_shadows) {
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < rays.count(); ++k)
+      if (blocked_[k] == 0) rays.move(k, left++);
+    rays.keep_first(left);
+    return filter(rays, groups);
+  }
+  for (std::size_t k = 0; k < rays.count(); ++k)
+    if (blocked_[k] == 0) add_to_film(rays, k);
+}
+
+Passage Shadows::passage(Rays& rays, std::size_t k, double const* distance) {
+  channels_.resize(rays.kind().size());
+  channels_of(rays, k, channels_.data());
+  return {1, rays.kind().size(), channels_.data(), distance, rays.light_of(k), true};
+}
+
+void Shadows::filter(Rays& rays, geometry::Groups const& groups) {
+  geometry::Groups const* from = &groups;
+  for (int turn = 0; rays.count() > 0; turn = 1 - turn) {
+    stage_.world->intersect(rays.lines(*from), filter_shadow_bit, rays.rest.data(), scratch_,
+                            hits_);
+    geometry::Groups& starts = starts_[turn];
+    starts.clear();
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < rays.count(); ++k) {
+      // What the lamp lies on, within rounding errors, is not in its way.
+      bool const met = hits_.hit[k].kind != geometry::RayHit::Kind::Nothing
+                       && hits_.t[k] + hits_.error[k] < rays.rest[k];
+      if (!met)
+        arrive(rays, k);
+      else if (pass(rays, k, starts))
+        rays.move(k, left++);
+    }
+    rays.keep_first(left);
+    from = &starts;
+  }
+}
+
+void Shadows::arrive(Rays& rays, std::size_t k) {
+  double rest = std::max(rays.rest[k], 0.0);
+  double const travelled = fields_.travelled ? rays.travelled[k] : 0;
+  if (rays.rest[k] >= 0 && rays.stack[k] != MediaStacks::none) {
+    double in_last = rest;
+    Passage way = passage(rays, k, &in_last);
+    MediaStacks::Id stack = rays.stack[k];
+    if (way_.has_stops(stack, false)) {
+      geometry::Ray const line{rays.origin.get(k), rays.direction.get(k)};
+      auto const end = way_.to_last_stop(line, stack, rest, travelled, way);
+      stack = end.stack;
+      in_last = end.rest;
+    }
+    Medium const& medium = stage_.medium(stacks_.medium(stack)); // the lamp stands in it
+    Way::along(medium, way);
+    rest += travelled;
+    way.distance = &rest;
+    Way::leave(medium, way);
+  }
+  add_to_film(rays, k);
+}
+
+bool Shadows::pass(Rays& rays, std::size_t k, geometry::Groups& starts) {
+  using Kind = geometry::RayHit::Kind;
+  geometry::RayHit& hit = hits_.hit[k];
+  geometry::HitGroup* const group =
+      hit.kind == Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
+  double const t = hits_.t[k];
+  double in_last = t;
+  Passage way = passage(rays, k, &in_last);
+  MediaStacks::Id before = rays.stack[k];
+  double const travelled = (fields_.travelled ? rays.travelled[k] : 0);
+  if (way_.has_stops(before, false)) {
+    geometry::Ray const line{rays.origin.get(k), rays.direction.get(k)};
+    auto const end = way_.to_last_stop(line, before, t, travelled, way);
+    before = end.stack;
+    in_last = end.rest;
+  }
+  Medium const& medium = stage_.medium(stacks_.medium(before));
+  Way::along(medium, way);
+  MediaStacks::Id const after = group != nullptr
+                                    ? stacks_.after(before, group->crossings)
+                                    : stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  bool const shown =
+      !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after, hit, group);
+  double const gone = travelled + t;
+  if (stacks_.medium(after) != stacks_.medium(before)) {
+    way.distance = &gone;
+    Way::leave(medium, way);
+  }
+  if (fields_.travelled) rays.travelled[k] = shown ? 0 : gone;
+  std::size_t const n = rays.kind().size();
+  auto const tint = [&](geometry::SurfaceCrossing const& crossing, bool inverse) {
+    stage_.reader().tint(crossing, inverse, stage_.caustics(crossing.solid),
+                         {hits_.point.get(k), rays.direction.get(k), channels_.data(),
+                          static_cast<int>(n), rays.light_of(k)},
+                         arena_);
+  };
+  if (shown && group == nullptr)
+    tint({hit.solid, hit.primitive, hit.face, t, hit.entering, hit.toggles},
+         hit.was_entering != hit.entering);
+  else if (shown)
+    for (auto const& crossing : group->crossings)
+      tint(crossing, surface::Reader::inverse(*group, crossing));
+  if (!any_but_zero(rays.light_of(k), n)) return false;
+  rays.rest[k] -= t;
+  rays.stack[k] = after;
+  rays.origin.set(k, hits_.point.get(k));
+  rays.origin_error.set(k, hits_.point_error.get(k));
+  if (group == nullptr) {
+    rays.start[k] = {hit.primitive, hit.face, geometry::RayStart::Kind::Surface, hit.was_entering,
+                     true};
+  } else {
+    rays.start[k] = {starts.count(), 0, geometry::RayStart::Kind::Group, false, true};
+    starts.add().members = group->members;
+  }
+  if (rays.rest[k] > 0) return true;
+  rays.rest[k] = 0;
+  arrive(rays, k);
+  return false;
+}
+
+} // namespace abbe::transport

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/world.hpp"
+#include "optics/channel_set.hpp"
+#include "optics/comb.hpp"
+#include "optics/glass.hpp"
+#include "surface/reader.hpp"
+#include "transport/cameras/camera.hpp"
+#include "transport/lamps/lamp.hpp"
+#include "transport/segments/segment.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// The scene made ready for rays: flattened, relative to the camera, every colour as one number a
+/// channel. Immutable while rays are traced.
+namespace abbe::transport {
+
+using surface::Channels;
+
+class WavelengthPolicy;
+
+/// What a ray may travel in. Number 0 is the surrounding air.
+struct Medium {
+  double index_d = 1;  ///< the index where no wavelength is distinguished
+  Channels index;      ///< per channel at the band's mean wavelength, where it disperses
+  Channels flat_index; ///< index_d for every channel, where it does not
+  Segments segments;   ///< what it does to light on its way
+  optics::Glass const* glass = nullptr; ///< for wavelengths of combs
+  bool dispersive = false;
+  bool fresnel = false;    ///< a real dielectric (glass {}): its faces reflect by Fresnel unasked
+  int comb = -1;           ///< number of its comb (stochastic modes)
+  double tolerance_px = 0; ///< of the adaptive mode; 0: every lane goes its own way
+  WavelengthPolicy const* policy = nullptr; ///< how light goes on that it splits
+  double caustics = 0; ///< exponent / 45 of what a crossing adds to a lamp's light
+  bool refracts() const { return dispersive || index_d != 1; }
+};
+
+struct CompiledSolid {
+  int medium = 0;          ///< of its inside
+  bool has_medium = false; ///< an interior was given: it counts as a medium
+  int priority = 0;        ///< of the medium among those that overlap
+  bool leaks = false;      ///< rays may enter it and not leave it: left at its bounds
+  /// Its surface does not enclose it: a ray that crosses it, whichever way, leaves what it is
+  /// inside of and enters what it is not inside of, as in POV-Ray.
+  bool open = false;
+  bool sheet = false; ///< no point is inside of it unless a ray has entered it
+};
+
+/// World mask bits (geometry::visible_to_*): opaque and filtering casters of shadows apart.
+inline constexpr std::uint8_t camera_bit = 1, reflection_bit = 2, opaque_shadow_bit = 4,
+                              filter_shadow_bit = 8;
+
+struct Stage {
+  int channels = 3;
+  std::optional<optics::ChannelSet> spectral; ///< nullopt: r g b
+  std::unique_ptr<geometry::World> world;
+  std::vector<CompiledSolid> solids; ///< by SolidId
+  surface::Textures textures;
+  std::vector<Medium> media;                                 ///< [0] is air
+  std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
+  std::vector<std::unique_ptr<Lamp const>> lamps;
+  /// Light of different combs is kept apart on the film because the wavelengths that it stands for
+  /// differ.
+  std::vector<optics::Comb> combs;
+  Channels background;
+  std::vector<int> sky_pigments; ///< pigments; the last on top
+  Channels sky_emission;
+  Mat3 to_sky_linear{1};
+  Vec3 to_sky_offset{0};
+  std::unique_ptr<Camera const> camera;
+  /// A ray with no lane above this throughput is dropped, and one below this
+  /// level. What that takes away at most is summed up (CutLight).
+  double adc_bailout = 1.0 / 255;
+  int max_trace_level = 5;
+  double brightest = 0; ///< no path returns more: bound of the radiance, any channel
+  bool has_filter_shadows = false;
+  bool has_priorities = false;    ///< some medium has another priority than 0
+  bool has_leaks = false;         ///< some medium's solid leaks
+  bool has_adaptive = false;      ///< some medium has a tolerance
+  std::vector<Vec3> rgb_weights;  ///< colour of one unit of each channel
+  std::vector<double> lambdas_nm; ///< of the channels, unless they are r g b
+
+  surface::Reader reader() const { return {textures, *world}; }
+  Medium const& medium(int number) const { return media[static_cast<std::size_t>(number)]; }
+  /// Of the interior that a surface is of.
+  double caustics(geometry::SolidId solid) const { return medium(solids[solid].medium).caustics; }
+  optics::Comb const& comb(int number) const { return combs[static_cast<std::size_t>(number)]; }
+  optics::Bands const& bands() const { return spectral->bands; }
+  /// Of the spectral film.
+  std::size_t film_bands() const {
+    return spectral ? static_cast<std::size_t>(bands().count()) : 0;
+  }
+  double lambda_nm(int channel) const { return lambdas_nm[static_cast<std::size_t>(channel)]; }
+};
+
+} // namespace abbe::transport

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "transport/tracer.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace abbe::transport {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Of a generation, before some samples wait: what fits the caches.
+constexpr std::size_t most_rays = std::size_t{1} << 14;
+
+/// Large enough for full buckets, and small enough for the caches.
+std::size_t batch_of(Stage const& stage) {
+  std::size_t lanes = static_cast<std::size_t>(stage.channels);
+  for (auto const& comb : stage.combs)
+    lanes += static_cast<std::size_t>(std::max(comb.teeth, stage.channels));
+  return std::clamp<std::size_t>(8192 / lanes, 128, 1024);
+}
+
+} // namespace
+
+Tracer::Tracer(Stage const& stage, Footprint footprint, PathRecord* record)
+    : stage_(stage),
+      scratch_(geometry::World::make_scratch()),
+      batch_(batch_of(stage)),
+      waves_(stage, batch_),
+      film_(stage, waves_, batch_),
+      stacks_(stage),
+      paths_(stage, record),
+      emitter_(stage, arena_, waves_, film_, paths_),
+      shadows_(stage, arena_, *scratch_, film_, stacks_, paths_),
+      captures_(stage, waves_, film_, emitter_, paths_),
+      adaptive_(stage, footprint, paths_),
+      comb_light_(waves_, film_, arena_),
+      way_(stage, stacks_),
+      aims_(stage.lamps.size()) {
+  for (geometry::SolidId solid = 0; solid < stage.solids.size(); ++solid)
+    if (stage.solids[solid].has_medium && !stage.solids[solid].sheet)
+      media_bounds_.push_back(stage.world->bounds(solid));
+  if (stage.camera->has_one_point()) camera_stack_ = inside_at(Vec3(0));
+}
+
+MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
+  auto const in_bounds = [&](geometry::Bounds const& box) {
+    return box.infinite
+           || (box.low.x <= point.x && point.x <= box.high.x && box.low.y <= point.y
+               && point.y <= box.high.y && box.low.z <= point.z && point.z <= box.high.z);
+  };
+  MediaStacks::Id stack = MediaStacks::none;
+  if (std::none_of(media_bounds_.begin(), media_bounds_.end(), in_bounds)) return stack;
+  std::vector<geometry::SolidId> solids;
+  stage_.world->containing(point, *scratch_, solids);
+  for (auto const solid : solids)
+    if (stage_.solids[solid].has_medium && !stage_.solids[solid].sheet)
+      stack = stacks_.entered(stack, solid);
+  return stack;
+}
+
+void Tracer::start_camera(PicturePoints const& points, std::span<SampleKey const> keys) {
+  LightKind const kind{stage_.channels};
+  Rays& rays = emitter_.queue({kind, camera_bit, false});
+  rays.add(points.count);
+  stage_.camera->rays(points, rays.origin, rays.direction);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    rays.origin_error.set(k, Vec3(0));
+    rays.start[k] = {};
+    rays.stack[k] = camera_stack_ ? *camera_stack_ : inside_at(rays.origin.get(k));
+    rays.slot[k] = film_.channel_slot(static_cast<SampleFilm::Block>(k), 0);
+    rays.channel[k] = rays.tooth[k] = rays.level[k] = 0;
+    std::fill_n(rays.light_of(k), kind.size(), 1.0);
+    if (emitter_.fields().travelled) rays.travelled[k] = 0;
+    if (emitter_.fields().path) rays.path[k] = Paths::none;
+    emitter_.count_ray(k);
+  }
+  emitter_.counts.camera += keys.size();
+  if (stage_.max_trace_level > 0) return;
+  for (std::size_t k = 0; k < points.count; ++k)
+    emitter_.cut(rays.slot[k], rays.light_of(k), kind.size());
+  rays.clear();
+}
+
+void Tracer::trace(PicturePoints const& points, std::span<SampleKey const> keys) {
+  Arena::Scope const scope(arena_);
+  film_.start_samples(keys.size());
+  waves_.start_samples(keys);
+  paths_.start();
+  emitter_.start_samples(keys.size());
+  captures_.start();
+  adaptive_.start();
+  starts_.clear();
+  start_camera(points, keys);
+  SplitTools const tools{stage_, arena_, waves_, film_, emitter_, adaptive_};
+  do drain();
+  while (adaptive_.go_on(tools));
+  captures_.resolve();
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    double const lost = lost_of(k);
+    emitter_.cut_light.worst_sample = std::max(emitter_.cut_light.worst_sample, lost);
+    emitter_.cut_light.sum += CutLight::units_of(lost);
+  }
+}
+
+void Tracer::drain() {
+  for (;;) {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+      emitter_.next().clear();
+      waiting_.clear();
+      return;
+    }
+    if (emitter_.next().count() == 0) {
+      if (waiting_.empty()) return;
+      take_back();
+    }
+    if (emitter_.next().count() > most_rays) set_aside();
+    emitter_.turn().each([&](QueueKey const& key, Rays& rays) { step(key, rays); });
+  }
+}
+
+void Tracer::set_aside() {
+  std::size_t first = batch_, last = 0;
+  auto const each_queue = [&](auto const& work) { emitter_.next().each(work); };
+  each_queue([&](QueueKey const&, Rays& rays) {
+    for (std::size_t k = 0; k < rays.count(); ++k) {
+      std::size_t const sample = film_.sample_of(rays.slot[k]);
+      first = std::min(first, sample);
+      last = std::max(last, sample);
+    }
+  });
+  if (first == last) return;
+  std::size_t const middle = first + (last - first) / 2;
+  waiting_.emplace_back();
+  each_queue([&](QueueKey const& key, Rays& rays) {
+    Rays later(rays.kind(), rays.fields());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < rays.count(); ++k)
+      if (film_.sample_of(rays.slot[k]) > middle)
+        later.copy(rays, k);
+      else
+        rays.move(k, kept++);
+    rays.keep_first(kept);
+    if (later.count() > 0) waiting_.back().emplace_back(key, std::move(later));
+  });
+}
+
+void Tracer::take_back() {
+  for (auto& [key, rays] : waiting_.back()) emitter_.queue(key) = std::move(rays);
+  waiting_.pop_back();
+}
+
+void Tracer::step(QueueKey const& key, Rays& rays) {
+  stage_.world->intersect(rays.lines(starts_), key.mask, nullptr, *scratch_, hits_);
+  arrive(rays);
+  buckets_.sort({keys_.data(), rays.count()}, hits_.groups);
+  buckets_.each([&](BucketKey const& bucket, std::span<std::uint32_t const> places) {
+    if (bucket.kind == BucketKey::Kind::Several) {
+      chunk_.group = &hits_.groups[bucket.number];
+      chunk_.crossings = chunk_.group->crossings;
+      chunk_.start_group = starts_.count();
+      starts_.add().members = chunk_.group->members;
+    } else {
+      chunk_.group = nullptr;
+    }
+    for (; !places.empty(); places = places.subspan(chunk_.count)) {
+      Arena::Scope const scope(arena_);
+      gather(key, rays, places.first(std::min(places.size(), chunk_width)));
+      meet(bucket);
+    }
+  });
+  shadows_.finish(starts_);
+}
+
+void Tracer::arrive(Rays& rays) {
+  keys_.resize(std::max(keys_.size(), rays.count()));
+  before_.resize(keys_.size());
+  after_.resize(keys_.size());
+  rest_.resize(keys_.size());
+  path_.resize(keys_.size());
+  for (std::size_t k = 0; k < rays.count(); ++k) {
+    keys_[k] = meeting_of(rays, k);
+    if (!emitter_.fields().path) continue;
+    geometry::RayHit const& hit = hits_.hit[k];
+    bool const met = hit.kind != geometry::RayHit::Kind::Nothing;
+    auto const member = hit.kind == geometry::RayHit::Kind::Group
+                            ? hits_.groups[hits_.group[k]].members.front().primitive
+                            : hit.primitive;
+    LightKind const& kind = rays.kind();
+    double const lambda_nm =
+        kind.monochromatic() && paths_.records()
+            ? waves_.lambda_nm(kind.wave, film_.sample_of(rays.slot[k]), rays.tooth[k])
+            : 0;
+    path_[k] = paths_.arrive(
+        rays.path[k], rays.start[k].through, kind, rays.light_of(k), lambda_nm,
+        {met, rays.direction.get(k), met ? hits_.point.get(k) : Vec3(0), hit.primitive, member});
+  }
+}
+
+BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
+  using Kind = geometry::RayHit::Kind;
+  geometry::RayHit& hit = hits_.hit[k];
+  bool const found = hit.kind != Kind::Nothing;
+  double const t = found ? hits_.t[k] : infinity;
+  MediaStacks::Id before = rays.stack[k];
+  rest_[k] = t;
+  if (way_.has_stops(before, !found)) {
+    channels_.resize(rays.kind().size());
+    channels_of(rays, k, channels_.data());
+    auto const end = way_.to_last_stop(
+        {rays.origin.get(k), rays.direction.get(k)}, before, t,
+        emitter_.fields().travelled ? rays.travelled[k] : 0,
+        {1, rays.kind().size(), channels_.data(), nullptr, rays.light_of(k), false});
+    before = end.stack;
+    rest_[k] = end.rest;
+  }
+  before_[k] = before;
+  BucketKey key;
+  key.before = stacks_.medium(before);
+  if (!found) {
+    after_[k] = before;
+    return key;
+  }
+  geometry::HitGroup* const group =
+      hit.kind == Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
+  after_[k] = group != nullptr ? stacks_.after(before, group->crossings)
+                               : stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  bool const shown =
+      !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after_[k], hit, group);
+  key.after = stacks_.medium(after_[k]);
+  key.moves = before != after_[k];
+  if (group != nullptr) {
+    key.kind = BucketKey::Kind::Several;
+    key.number = hits_.group[k];
+  } else {
+    key.kind = shown ? BucketKey::Kind::Surface : BucketKey::Kind::Displaced;
+    key.surface = shown ? surface_class(stage_.textures, hit.primitive) : 0;
+    key.entering = hit.entering;
+  }
+  return key;
+}
+
+void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32_t const> places) {
+  Chunk& c = chunk_;
+  LightKind const& kind = rays.kind();
+  std::size_t const n = kind.size();
+  c.kind = kind;
+  c.mask = key.mask;
+  c.count = places.size();
+  c.each = n;
+  c.doubles = kind.listed() && stage_.comb(kind.comb).follow == optics::Comb::Follow::Doubled;
+  c.channels = arena_.take<std::uint16_t>(c.lanes() + 8);
+  c.light = arena_.take<double>(c.lanes() + 8);
+  for (std::size_t r = 0; r < c.count; ++r) {
+    std::uint32_t const k = places[r];
+    c.direction.set(r, rays.direction.get(k));
+    c.slot[r] = rays.slot[k];
+    c.tooth[r] = rays.tooth[k];
+    c.level[r] = rays.level[k];
+    c.sample[r] = static_cast<std::uint32_t>(film_.sample_of(rays.slot[k]));
+    c.before[r] = before_[k];
+    c.after[r] = after_[k];
+    c.hit[r] = hits_.hit[k];
+    c.point.set(r, hits_.point.get(k));
+    c.point_error.set(r, hits_.point_error.get(k));
+    chunk_rest_[r] = rest_[k];
+    chunk_way_[r] = hits_.t[k];
+    std::copy_n(rays.light_of(k), n, c.light + r * n);
+    channels_of(rays, k, c.channels + r * n);
+  }
+  for (std::size_t r = c.count; r % 8 != 0; ++r) { // kernels compute whole lanes
+    c.direction.set(r, c.direction.get(c.count - 1));
+    c.point.set(r, c.point.get(c.count - 1));
+  }
+  if (emitter_.fields().travelled)
+    for (std::size_t r = 0; r < c.count; ++r) {
+      chunk_way_[r] += rays.travelled[places[r]];
+      c.travelled[r] = chunk_way_[r];
+    }
+  if (emitter_.fields().path)
+    for (std::size_t r = 0; r < c.count; ++r) c.path[r] = path_[places[r]];
+}
+
+void Tracer::find_normals() {
+  Chunk& c = chunk_;
+  geometry::World const& world = *stage_.world;
+  bool smoothed = false;
+  for (std::size_t r = 0; r < c.count; ++r) {
+    geometry::RayHit const& hit = c.hit[r];
+    bool const again = r > 0 && hit.primitive == c.hit[r - 1].primitive
+                       && hit.face == c.hit[r - 1].face && world.flat(hit.primitive, hit.face);
+    if (again) {
+      c.normal.set(r, c.normal.get(r - 1));
+      c.geometric.set(r, c.geometric.get(r - 1));
+      continue;
+    }
+    auto const normals = world.normals(hit.primitive, hit.face, c.point.get(r));
+    c.normal.set(r, normals.smoothed);
+    c.geometric.set(r, normals.geometric);
+    smoothed = smoothed || normals.smoothed != normals.geometric;
+  }
+  for (std::size_t r = c.count; r % 8 != 0; ++r) {
+    c.normal.set(r, c.normal.get(c.count - 1));
+    c.geometric.set(r, c.geometric.get(c.count - 1));
+  }
+  face_rays(c, smoothed);
+}
+
+} // namespace abbe::transport
