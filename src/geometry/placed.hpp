@@ -33,8 +33,15 @@ public:
   template <class L>
   Line<L> line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) const;
   Vec3 to_object(Vec3 const& world_point) const;
+  /// The same bits, for any lane type.
+  template <class L>
+  lane::Vec<L> to_object(lane::Vec<L> const& world_point) const;
   /// Unit normal in world space.
   Vec3 normal(std::uint32_t face, Vec3 const& world_point, bool geometric) const;
+  /// The unit normal in world space of a normal of object space, for any lane type: the bits of
+  /// normal().
+  template <class L>
+  lane::Vec<L> to_unit_world_normals(lane::Vec<L> const& n) const;
   /// Unit normal in world space towards what counts as outside (Shape::side).
   Vec3 facing(std::uint32_t face, Vec3 const& world_point) const;
   /// inverse_linear is off by at most `rounding` times this, entry by entry, as described.
@@ -77,6 +84,13 @@ private:
   std::unique_ptr<Whole const> whole_;
 };
 
+/// As glm has it.
+template <class L>
+lane::Vec<L> times(Mat3 const& by, lane::Vec<L> const& v) {
+  auto const row = [&](int i) { return L(by[0][i]) * v.x + L(by[1][i]) * v.y + L(by[2][i]) * v.z; };
+  return {row(0), row(1), row(2)};
+}
+
 template <class L>
 Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) const {
   auto const vec = [](Vec3 const& v) { return lane::Vec<L>{L(v.x), L(v.y), L(v.z)}; };
@@ -97,13 +111,29 @@ Line<L> Placed::line(lane::Vec<L> const& origin, lane::Vec<L> const& direction) 
     return {
         each(scale, from_here), each(scale, direction), each(size, off), each(size, turned), {}};
   }
-  auto const times = [](Mat3 const& by, lane::Vec<L> const& v) {
-    auto const row = [&](int i) {
-      return L(by[0][i]) * v.x + L(by[1][i]) * v.y + L(by[2][i]) * v.z;
-    };
-    return lane::Vec<L>{row(0), row(1), row(2)};
-  };
   return {times(m, from_here), times(m, direction), times(s, off), times(s, turned), {}};
+}
+
+template <class L>
+lane::Vec<L> Placed::to_object(lane::Vec<L> const& p) const {
+  lane::Vec<L> const from_here = p - lane::Vec<L>{L(offset_.x), L(offset_.y), L(offset_.z)};
+  return whole_ ? times(whole_->inverse_linear, from_here) : L(inverse_scale_) * from_here;
+}
+
+template <class L>
+lane::Vec<L> Placed::to_unit_world_normals(lane::Vec<L> const& n) const {
+  lane::Vec<L> world;
+  if (!whole_) {
+    world = L(inverse_scale_) * n;
+  } else if (Mat3 const& back = whole_->inverse_linear; whole_->along_axes) {
+    world = {L(back[0][0]) * n.x, L(back[1][1]) * n.y, L(back[2][2]) * n.z};
+  } else {
+    world = times(glm::transpose(back), n);
+  }
+  lane::Vec<L> const size = lane::abs(world);
+  L const largest = lane::max(size.x, lane::max(size.y, size.z));
+  lane::Vec<L> const even = {world.x / largest, world.y / largest, world.z / largest};
+  return (L(1.0) / lane::sqrt(lane::dot(even, even))) * even;
 }
 
 } // namespace abbe::geometry

@@ -67,6 +67,7 @@ struct Bounds {
 };
 
 class EndsKernel;
+class NormalKernel;
 
 /// How much of its own boundary a shape shows.
 enum class Boundary : std::uint8_t {
@@ -124,6 +125,8 @@ public:
   virtual bool one_interval() const { return false; }
   /// The shape as a kernel without lists (shapes/convex.hpp), where it is one.
   virtual EndsKernel const* ends_kernel() const { return nullptr; }
+  /// The shape's normals for several points at once (shapes/normal_kernel.hpp), where it has them.
+  virtual NormalKernel const* normal_kernel() const { return nullptr; }
   /// A line that keeps clear of this ball about the middle of bounds() has no crossings; "clear" by
   /// a share of 2^-44 of the radius and of the distance, which the kernel's roundings stay under.
   /// Infinite where there is no such ball.

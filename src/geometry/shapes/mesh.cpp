@@ -141,7 +141,7 @@ Vec3 Mesh::geometric_normal(Vec3 const&, std::uint32_t face) const {
 Vec3 Mesh::normal(Vec3 const& point, std::uint32_t face) const {
   Vec3 const flat = geometric_normal(point, face);
   if (data_.normals.empty()) return flat;
-  Corners const& f = data_.normal_corners.empty() ? data_.faces[face] : data_.normal_corners[face];
+  Corners const& f = normals_of(face);
   if (f[0] == MeshData::flat) return flat;
   Vec3 const w = weights(point, face);
   Vec3 const smooth =
@@ -151,8 +151,7 @@ Vec3 Mesh::normal(Vec3 const& point, std::uint32_t face) const {
 
 Vec3 Mesh::facing(Vec3 const& point, std::uint32_t face) const {
   if (!data_.normals.empty()) {
-    Corners const& f =
-        data_.normal_corners.empty() ? data_.faces[face] : data_.normal_corners[face];
+    Corners const& f = normals_of(face);
     auto const normal_of = [&](std::size_t corner) { return data_.normals[f[corner]]; };
     bool const smoothed = f[0] != MeshData::flat;
     if (smoothed && (data_.lone || normal_of(0) != normal_of(1) || normal_of(0) != normal_of(2)))

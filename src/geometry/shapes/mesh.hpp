@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bvh.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/normal_kernel.hpp"
 #include "geometry/shapes/triangle_walk.hpp"
 
 #include <atomic>
@@ -35,7 +35,7 @@ struct MeshData {
 /// leaving, starting outside at -infinity. Without, each triangle is a patch. The hierarchy is
 /// built when something is looked for in it for the first time. Face numbers are those of the
 /// hierarchy, not of the file.
-class Mesh final : public Shape {
+class Mesh final : public WithNormalKernel<Mesh> {
 public:
   /// @param data indices valid, no face degenerate (make_mesh sees to it)
   explicit Mesh(MeshData data);
@@ -46,6 +46,9 @@ public:
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Vec3 geometric_normal(Vec3 const& point, std::uint32_t face) const override;
   bool smoothed() const override { return !data_.normals.empty(); }
+  template <class L>
+  void normal_lanes(lane::Vec<L> const& points, std::uint32_t const* faces,
+                    NormalLanes<L>& out) const;
   Side side() const override {
     return data_.lone && data_.normals.empty() ? Side::FacingByAxis : Side::Facing;
   }
@@ -80,12 +83,52 @@ private:
   template <class Visit>
   void each_hit(ShearedLine const& line, double from, double const& to, Visit&& visit) const;
   Vec3 weights(Vec3 const& point, std::uint32_t face) const;
+  /// Numbers of the normals at the corners of a face.
+  Corners const& normals_of(std::uint32_t face) const {
+    return data_.normal_corners.empty() ? data_.faces[face] : data_.normal_corners[face];
+  }
 
   mutable MeshData data_; ///< sorted once, when the hierarchy is built
   mutable Hierarchy hierarchy_;
   BvhSpace space_;
   Bounds bounds_;
 };
+
+template <class L>
+void Mesh::normal_lanes(lane::Vec<L> const& p, std::uint32_t const* faces,
+                        NormalLanes<L>& out) const {
+  auto const gather = [](std::vector<Vec3> const& from, auto const& number) {
+    Vec3 const &a = from[number(0)], &b = from[number(1)], &c = from[number(2)],
+               &d = from[number(3)];
+    return lane::Vec<L>{L(a.x, b.x, c.x, d.x), L(a.y, b.y, c.y, d.y), L(a.z, b.z, c.z, d.z)};
+  };
+  auto const vertices = [&](std::size_t corner) {
+    return gather(data_.vertices, [&](int k) { return data_.faces[faces[k]][corner]; });
+  };
+  lane::Vec<L> const a = vertices(0), b = vertices(1), c = vertices(2);
+  lane::Vec<L> const across = cross(b - a, c - a);
+  lane::Vec<L> const flat = unit_lanes(across, out.unclear);
+  out.smoothed = out.geometric = flat;
+  if (!smoothed()) return;
+  auto const smooth = [&](int k) { return normals_of(faces[k])[0] != MeshData::flat; };
+  auto const is = [&](int k) { return smooth(k) ? 1.0 : 0.0; };
+  auto const normals = [&](std::size_t corner) {
+    return gather(data_.normals,
+                  [&](int k) { return smooth(k) ? normals_of(faces[k])[corner] : 0U; });
+  };
+  // As corner_weights().
+  L const area2 = lane::dot(across, across);
+  L const wa = lane::dot(cross(b - p, c - p), across) / area2;
+  L const wb = lane::dot(cross(c - p, a - p), across) / area2;
+  lane::Vec<L> const sum = wa * normals(0) + wb * normals(1) + (L(1.0) - wa - wb) * normals(2);
+  auto const smoothed_here = L(0.0) < L(is(0), is(1), is(2), is(3));
+  auto unclear = out.unclear;
+  lane::Vec<L> const shown = unit_lanes(sum, unclear);
+  out.unclear = lane::either(out.unclear, lane::both(smoothed_here, unclear));
+  out.smoothed = {lane::select(smoothed_here, shown.x, flat.x),
+                  lane::select(smoothed_here, shown.y, flat.y),
+                  lane::select(smoothed_here, shown.z, flat.z)};
+}
 
 /// Can a line enter the shape without leaving it again? (a solid mesh that is not closed)
 bool leaks(Shape const& shape);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/parameters.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/normal_kernel.hpp"
 
 #include <array>
 
@@ -19,12 +19,21 @@ left side is negative.
     quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 }
 */
 /// Canonical form: the coefficients as given. One face, 0.
-class Quadric final : public Shape {
+class Quadric final : public WithNormalKernel<Quadric> {
 public:
   explicit Quadric(std::array<double, 10> const& coefficients);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
   bool inside(Vec3 const& point) const override { return value(point) <= 0; }
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  template <class L>
+  void normal_lanes(lane::Vec<L> const& p, std::uint32_t const*, NormalLanes<L>& out) const {
+    auto const k = [&](std::size_t i) { return L(k_[i]); };
+    L const two(2.0);
+    out.smoothed = unit_lanes<L>({two * (k(0) * p.x) + k(3) * p.y + k(4) * p.z + k(6),
+                                  two * (k(1) * p.y) + k(3) * p.x + k(5) * p.z + k(7),
+                                  two * (k(2) * p.z) + k(4) * p.x + k(5) * p.y + k(8)},
+                                 out.unclear);
+  }
   Bounds bounds() const override { return bounds_; }
 
 private:

@@ -3,9 +3,11 @@
 
 #include "base/parameters.hpp"
 #include "geometry/shape.hpp"
+#include "simd/lane_types.hpp"
 #include "simd/math.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -56,7 +58,11 @@ inline double vector_length(Vec3 const& v) {
 /// v / |v|, of the same bits when v is scaled by a power of two. @param v finite, not zero
 inline Vec3 unit_vector(Vec3 const& v) {
   double const largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
-  Vec3 const even = v / std::exp2(std::ilogb(largest)); // a power of two: exact
+  // A power of two: exact.
+  double const size = largest >= std::numeric_limits<double>::min()
+                          ? largest / simd::significand(largest)
+                          : std::exp2(std::ilogb(largest));
+  Vec3 const even = v / size;
   return even / glm::length(even);
 }
 

@@ -4,6 +4,7 @@
 #include "base/parameters.hpp"
 #include "geometry/kernels.hpp"
 #include "geometry/shapes/convex.hpp"
+#include "geometry/shapes/normal_kernel.hpp"
 
 namespace abbe::geometry {
 
@@ -18,7 +19,7 @@ A ball. A negative radius is as good as a positive one.
     sphere { <0, 1, 0>, 1 }
 */
 /// Canonical form: radius 1 about the origin. One face, 0.
-class Sphere final : public ConvexShape<Sphere> {
+class Sphere final : public WithNormalKernel<Sphere, ConvexShape<Sphere>> {
 public:
   template <class L>
   Slice<L> slice(Line<L> const& line) const {
@@ -28,6 +29,10 @@ public:
   bool ends_visible() const override { return true; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
+  template <class L>
+  void normal_lanes(lane::Vec<L> const& points, std::uint32_t const*, NormalLanes<L>& out) const {
+    out.smoothed = normalized(points);
+  }
   Bounds bounds() const override;
   double ball_radius() const override { return 1; }
 };

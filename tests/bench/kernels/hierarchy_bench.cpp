@@ -57,7 +57,7 @@ struct Scene {
   std::vector<World::Solid> solids; ///< none: each shape is one
 };
 
-Scene waves(int side) {
+Scene waves(int side, bool smooth) {
   Scene scene{"waves", {5, 8, -6}, {0, -8, 10}, 60, {}, {}, {}};
   double const step = 10.0 / side;
   for (int i = 0; i < side; ++i)
@@ -70,6 +70,10 @@ Scene waves(int side) {
       scene.mesh.faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
       scene.mesh.faces.push_back({at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
     }
+  if (smooth) {
+    scene.mesh.normals.assign(scene.mesh.vertices.size(), Vec3(0, 1, 0));
+    scene.name = "smooth";
+  }
   scene.shapes.push_back(*make_mesh(scene.mesh).shape);
   return scene;
 }
@@ -250,6 +254,15 @@ void measure(Scene scene) {
     }
   }
   std::vector<std::uint8_t> is(batch);
+  std::vector<Hits> seen((camera.count + batch - 1) / batch);
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    world.intersect(camera.lines(k * batch), 1, nullptr, *scratch, seen[k]);
+  Vectors smoothed, geometric;
+  double const normals = time_of(camera.count, [&](std::size_t first) {
+    Hits const& of = seen[first / batch];
+    world.normals(camera.lines(first).count, of.hit.data(), of.point, smoothed.arrays(),
+                  geometric.arrays());
+  });
   double const closest = time_of(camera.count, [&](std::size_t first) {
     world.intersect(camera.lines(first), 1, nullptr, *scratch, hits);
   });
@@ -267,9 +280,9 @@ void measure(Scene scene) {
            / static_cast<double>(camera.count + shadow.count);
   };
   std::printf("%s: built in %.2f s; %zu camera rays (%zu unclear) %.0f ns, %zu shadow rays (%zu "
-              "blocked) %.0f ns; mean %.0f ns; %zu rays on %.0f ns\n",
+              "blocked) %.0f ns; mean %.0f ns; %zu rays on %.0f ns; normals %.1f ns\n",
               scene.name.c_str(), build, camera.count, unclear, closest, shadow.count, blocked,
-              occluded, mean(closest, occluded), onward.count, beyond);
+              occluded, mean(closest, occluded), onward.count, beyond, normals);
 #if ABBE_HAS_EMBREE
   if (scene.mesh.faces.empty()) return;
   Embree const embree(scene.mesh);
@@ -289,7 +302,8 @@ int main(int count, char** names) {
     return count < 2 || std::find(names + 1, names + count, name) != names + count;
   };
   if (wanted("glassy")) here::measure(here::glassy());
-  if (wanted("waves")) here::measure(here::waves(708));
+  if (wanted("waves")) here::measure(here::waves(708, false));
+  if (wanted("smooth")) here::measure(here::waves(708, true));
   for (int const number : {100, 10000, 1000000})
     if (wanted("spheres" + std::to_string(number))) here::measure(here::spheres(number));
 }

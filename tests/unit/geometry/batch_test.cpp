@@ -45,7 +45,12 @@ MeshData ball(int rings, bool smooth, bool solid) {
   for (Vec3& vertex : mesh.vertices)
     if (std::fabs(vertex.y) == 1)
       vertex = {0, vertex.y, 0}; // poles: faces without area are dropped
-  if (smooth) mesh.normals = mesh.vertices;
+  if (smooth) {
+    mesh.normals = mesh.vertices;
+    mesh.normal_corners = mesh.faces;
+    for (std::size_t i = 0; i < mesh.faces.size(); i += 3)
+      mesh.normal_corners[i][0] = MeshData::flat;
+  }
   if (solid) mesh.inside_vector = Vec3(0.3, 0.5, 0.8);
   return mesh;
 }
