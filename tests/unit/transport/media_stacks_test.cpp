@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "stages.hpp"
+#include "transport/media_stacks.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace abbe::transport::testing {
+namespace {
+
+using geometry::SolidId, geometry::SurfaceCrossing;
+using Id = MediaStacks::Id;
+
+/// Solids 0..7: of media 1..6 with priorities 0 0 1 1 -1 5; one without a medium; one whose
+/// medium is that of the first.
+Stage solids() {
+  Stage stage = rgb_stage();
+  int const priorities[] = {0, 0, 1, 1, -1, 5};
+  for (int k = 0; k < 6; ++k) {
+    CompiledSolid solid;
+    solid.medium = k + 1;
+    solid.has_medium = true;
+    solid.priority = priorities[k];
+    stage.solids.push_back(solid);
+  }
+  stage.solids.emplace_back();
+  stage.solids.push_back(stage.solids[0]);
+  return stage;
+}
+
+std::vector<SolidId> list(MediaStacks const& stacks, Id stack) {
+  std::vector<SolidId> out;
+  stacks.each(stack, [&](SolidId solid) { out.push_back(solid); });
+  return out;
+}
+
+SurfaceCrossing crossing(SolidId solid, bool entering, bool toggles = true) {
+  return {solid, 0, 0, 1, entering, toggles};
+}
+
+TEST(MediaStacks, AnyOrderOfEnteringAndLeavingIsThatOfAList) {
+  Stage const stage = solids();
+  MediaStacks stacks(stage);
+  std::map<std::vector<SolidId>, Id> numbers{{{}, MediaStacks::none}};
+  RandomKey const random(1);
+  Id stack = MediaStacks::none;
+  std::vector<SolidId> inside; // the last entered first
+  for (std::uint64_t step = 0; step < 5000; ++step) {
+    auto const solid = static_cast<SolidId>(random.uniform(2 * step) * 6);
+    bool const entering = random.uniform(2 * step + 1) < 0.45 && inside.size() < 6;
+    if (entering)
+      inside.insert(inside.begin(), solid);
+    else if (auto const at = std::find(inside.begin(), inside.end(), solid); at != inside.end())
+      inside.erase(at); // the last entered of this solid; if there is none, nothing is left
+    stack = stacks.after(stack, solid, entering, true);
+    ASSERT_EQ(list(stacks, stack), inside);
+    // Equal lists have one number.
+    ASSERT_EQ(numbers.try_emplace(inside, stack).first->second, stack);
+    if (inside.empty()) {
+      ASSERT_EQ(stack, MediaStacks::none);
+      ASSERT_EQ(stacks.medium(stack), 0);
+      continue;
+    }
+    // The highest priority counts, and of those the last entered: the first of the list.
+    auto const rules = std::max_element(inside.begin(), inside.end(), [&](auto a, auto b) {
+      return stage.solids[a].priority < stage.solids[b].priority;
+    });
+    ASSERT_EQ(stacks.medium(stack), stage.solids[*rules].medium);
+    ASSERT_EQ(stacks.priority(stack), stage.solids[*rules].priority);
+  }
+  EXPECT_GT(numbers.size(), 500);
+}
+
+TEST(MediaStacks, WhatHasNoMediumOrDoesNotToggleChangesNothing) {
+  Stage const stage = solids();
+  MediaStacks stacks(stage);
+  Id const in = stacks.entered(MediaStacks::none, 2);
+  EXPECT_EQ(stacks.after(in, 6, true, true), in);
+  EXPECT_EQ(stacks.after(in, 1, true, false), in);
+  EXPECT_EQ(stacks.after(in, 2, false, false), in);
+  SurfaceCrossing const both[] = {crossing(6, true), crossing(1, true, false)};
+  EXPECT_EQ(stacks.after(in, both), in);
+}
+
+TEST(MediaStacks, OfSurfacesThatCoincideThoseThatAreLeftGoFirst) {
+  Stage const stage = solids();
+  MediaStacks stacks(stage);
+  Id const in = stacks.entered(stacks.entered(MediaStacks::none, 0), 1);
+  // Out of 1 and into 4 and 3, in whichever order they are listed.
+  SurfaceCrossing const crossings[] = {crossing(4, true), crossing(1, false), crossing(3, true)};
+  EXPECT_EQ(list(stacks, stacks.after(in, crossings)), (std::vector<SolidId>{3, 4, 0}));
+  // Out of and into the same one.
+  SurfaceCrossing const again[] = {crossing(1, true), crossing(1, false)};
+  EXPECT_EQ(stacks.after(in, again), in);
+  EXPECT_EQ(list(stacks, stacks.after(MediaStacks::none, again)), (std::vector<SolidId>{1}));
+}
+
+TEST(MediaStacks, OpenSolidsAreEnteredFromOutsideAndLeftFromInside) {
+  Stage stage = solids();
+  stage.solids[0].open = stage.solids[1].open = stage.solids[7].open = true;
+  MediaStacks stacks(stage);
+  for (bool const entering : {false, true}) // whichever way a normal points
+    for (bool const toggles : {false, true}) {
+      Id const in = stacks.after(MediaStacks::none, 0, entering, toggles);
+      EXPECT_EQ(list(stacks, in), (std::vector<SolidId>{0}));
+      EXPECT_EQ(stacks.after(in, 0, entering, toggles), MediaStacks::none);
+      // Another of the same medium ends it, one of another does not.
+      EXPECT_EQ(stacks.after(in, 7, entering, toggles), MediaStacks::none);
+      EXPECT_EQ(list(stacks, stacks.after(in, 1, entering, toggles)), (std::vector<SolidId>{1, 0}));
+    }
+}
+
+TEST(MediaStacks, OpenSurfacesOfOneMediumThatCoincideAreOne) {
+  Stage stage = solids();
+  stage.solids[0].open = stage.solids[1].open = stage.solids[7].open = true;
+  MediaStacks stacks(stage);
+  SurfaceCrossing const crossings[] = {crossing(0, true), crossing(7, true), crossing(1, true)};
+  Id const in = stacks.after(MediaStacks::none, crossings);
+  EXPECT_EQ(list(stacks, in), (std::vector<SolidId>{1, 0}));
+  EXPECT_EQ(stacks.after(in, crossings), MediaStacks::none);
+}
+
+TEST(MediaStacks, NumbersStayWhateverIsForgotten) {
+  // More pairs than the memory of the latest holds.
+  Stage stage = solids();
+  for (int k = 8; k < 2000; ++k) stage.solids.push_back(stage.solids[0]);
+  MediaStacks stacks(stage);
+  std::vector<Id> in;
+  for (SolidId solid = 8; solid < 2000; ++solid)
+    in.push_back(stacks.entered(MediaStacks::none, solid));
+  for (SolidId solid = 8; solid < 2000; ++solid) {
+    EXPECT_EQ(stacks.entered(MediaStacks::none, solid), in[solid - 8]);
+    EXPECT_EQ(stacks.without(in[solid - 8], solid), MediaStacks::none);
+  }
+}
+
+} // namespace
+} // namespace abbe::transport::testing
