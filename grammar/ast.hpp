@@ -40,8 +40,7 @@ struct Number {
   double value = 0;
 };
 
-/// Text between quotes. `text` has its escapes resolved; a *path* (`#include`, an image) is taken
-/// from `raw`, where a backslash is a backslash.
+/// Text between quotes, its escapes resolved; `raw`, for paths: a backslash is a backslash.
 struct String {
   Span span;
   std::string text;
@@ -93,8 +92,7 @@ struct Expr
   using base_type::operator=;
 };
 
-/// `<e, e, ...>`: two to five components, or the many coefficients of `quartic` and `poly`;
-/// directives and macro calls may yield some of them.
+/// `<e, e, ...>`: two to five components or many coefficients; macros may yield some.
 struct Vector {
   Span span;
   Items components;
@@ -102,11 +100,13 @@ struct Vector {
 struct Unary {
   Span span;
   UnaryOp op = UnaryOp::Plus;
+  bool calls = false; ///< is the operand, or one of its operands, a call that may be a macro's?
   Expr operand;
 };
 struct Binary {
   Span span;
   BinaryOp op = BinaryOp::Add;
+  bool calls = false; ///< as of Unary
   Expr left;
   Expr right;
 };

@@ -40,9 +40,22 @@ void throw_too_high(Iterator begin, Iterator end) {
                     fmt::format("this expression has more than {} operators in a row", max_height)};
 }
 
+namespace {
+
+/// See ast::Unary::calls.
+bool calls(ast::Expr const& expr) {
+  if (auto const* const binary = ast::get_if<ast::Binary>(expr)) return binary->calls;
+  if (auto const* const unary = ast::get_if<ast::Unary>(expr)) return unary->calls;
+  auto const* const call = ast::get_if<ast::Call>(expr);
+  return call != nullptr && !call->callee.reserved;
+}
+
+} // namespace
+
 ast::Expr make_binary(State const& state, ast::BinaryOp op, ast::Expr left, ast::Expr right) {
   Span const whole{state.source, ast::span_of(left).begin, ast::span_of(right).end};
-  return ast::Expr(ast::Binary{whole, op, std::move(left), std::move(right)});
+  bool const with_calls = calls(left) || calls(right);
+  return ast::Expr(ast::Binary{whole, op, with_calls, std::move(left), std::move(right)});
 }
 
 ast::Expr make_unary(Span span, ast::UnaryOp op, ast::Expr operand) {
@@ -52,7 +65,8 @@ ast::Expr make_unary(Span span, ast::UnaryOp op, ast::Expr operand) {
       return ast::Expr(ast::Number{span, value});
     }
   }
-  return ast::Expr(ast::Unary{span, op, std::move(operand)});
+  bool const with_calls = calls(operand);
+  return ast::Expr(ast::Unary{span, op, with_calls, std::move(operand)});
 }
 
 } // namespace abbe::grammar

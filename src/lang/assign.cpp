@@ -251,7 +251,7 @@ void ReaderImpl::paste(ast::Call const& call, MacroValue const& macro, Pasted& i
     yields_nothing(call);
     into.add(Value{}, call.span);
   } else if (expr != nullptr) {
-    into.add(*expr);
+    into.add_open(*expr);
     consume();
   } else {
     into.add(read_value(), call.span);

@@ -129,7 +129,7 @@ ast::Expr without_first(ast::Binary const& node) {
     return ast::Expr(std::move(rest));
   }
   auto const op = node.op == ast::BinaryOp::Sub ? ast::UnaryOp::Minus : ast::UnaryOp::Plus;
-  return ast::Expr(ast::Unary{ast::span_of(node.right), op, node.right});
+  return ast::Expr(ast::Unary{ast::span_of(node.right), op, node.calls, node.right});
 }
 
 } // namespace

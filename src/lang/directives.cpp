@@ -42,7 +42,9 @@ void ReaderImpl::execute(ast::If const& node) {
     std::optional<bool> taken = true;
     switch (branch.test) {
     case Test::If:
-      taken = in_.expressions.condition(branch.condition);
+      taken = is_broken(branch.condition, "#elseif takes a condition in parentheses")
+                  ? std::nullopt
+                  : in_.expressions.condition(branch.condition);
       break;
     case Test::Ifdef:
       taken = is_defined(branch.condition);
@@ -112,10 +114,27 @@ void ReaderImpl::execute(ast::For const& node) {
   push(std::move(frame));
 }
 
+/// Is what a directive asks no whole expression? Then what is wrong with it is reported.
+bool ReaderImpl::is_broken(ast::Expr const& question, std::string_view wants) {
+  auto const* const paren = ast::get_if<ast::Paren>(question);
+  auto const* const text = paren != nullptr && paren->items.size() == 1
+                               ? ast::get_if<ast::Text>(paren->items.front())
+                               : nullptr;
+  if (text == nullptr) return false;
+  int const errors = in_.error_count();
+  in_.expressions.value(question);
+  if (in_.error_count() == errors) in_.error("E0110", std::string(wants), text->span);
+  return true;
+}
+
 /// Is the clause one for this value? nullopt when what it asks for is wrong (reported).
 std::optional<bool> ReaderImpl::is_for(ast::Switch::Clause const& clause, double value) {
   using Kind = ast::Switch::Clause::Kind;
   if (clause.kind == Kind::Else) return true;
+  std::string_view const wants = clause.kind == Kind::Case
+                                     ? "#case takes a value in parentheses"
+                                     : "#range takes two values in parentheses";
+  if (is_broken(clause.bounds.at(0), wants)) return std::nullopt;
   if (clause.kind == Kind::Case) {
     auto const wanted = in_.expressions.number(clause.bounds.at(0), "the value of #case");
     if (!wanted) return std::nullopt;

@@ -223,7 +223,7 @@ Numeric with_sign(ast::UnaryOp op, Numeric n) {
 }
 
 Numeric Expressions::operator()(ast::Unary const& node) {
-  if (!Pasted::calls_macro(node.operand, in_)) return with_sign(node.op, numeric(node.operand));
+  if (!Pasted::calls_macro(node, in_)) return with_sign(node.op, numeric(node.operand));
   Pasted pasted(in_);
   pasted.add(node);
   return to_numeric(pasted.value(), node.span);

@@ -9,6 +9,7 @@ namespace abbe::lang {
 namespace {
 
 using Op = ast::BinaryOp;
+constexpr std::size_t usual_length = 4;
 
 /// How tightly an operator holds its operands.
 int tightness(Op op) {
@@ -38,13 +39,8 @@ MacroValue const* macro_of(ast::Expr const& expr, Interpreter& in) {
 
 bool Pasted::calls_macro(ast::Expr const& expr, Interpreter& in) {
   if (auto const* const binary = ast::get_if<ast::Binary>(expr)) return calls_macro(*binary, in);
-  if (auto const* const unary = ast::get_if<ast::Unary>(expr))
-    return calls_macro(unary->operand, in);
+  if (auto const* const unary = ast::get_if<ast::Unary>(expr)) return calls_macro(*unary, in);
   return macro_of(expr, in) != nullptr;
-}
-
-bool Pasted::calls_macro(ast::Binary const& node, Interpreter& in) {
-  return calls_macro(node.left, in) || calls_macro(node.right, in);
 }
 
 void Pasted::add(ast::Binary const& node) {
@@ -58,9 +54,26 @@ void Pasted::add(ast::Unary const& node) {
   add(node.operand);
 }
 
+void Pasted::add_open(ast::Expr const& expr) {
+  if (auto const* const binary = ast::get_if<ast::Binary>(expr)) {
+    add_open(binary->left);
+    op_ = binary->op;
+    add_open(binary->right);
+  } else if (auto const* const unary = ast::get_if<ast::Unary>(expr)) {
+    signs_.push_back(unary->op);
+    add_open(unary->operand);
+  } else {
+    add(expr);
+  }
+}
+
+/// What holds no macros is one operand: its own operators hold tighter than those around it.
 void Pasted::add(ast::Expr const& expr) {
-  if (auto const* const binary = ast::get_if<ast::Binary>(expr)) return add(*binary);
-  if (auto const* const unary = ast::get_if<ast::Unary>(expr)) return add(*unary);
+  if (auto const* const binary = ast::get_if<ast::Binary>(expr);
+      binary && calls_macro(*binary, in_))
+    return add(*binary);
+  if (auto const* const unary = ast::get_if<ast::Unary>(expr); unary && calls_macro(*unary, in_))
+    return add(*unary);
   if (MacroValue const* const macro = macro_of(expr, in_)) {
     MacroValue const copy = *macro; // the macro may redefine itself
     return in_.reader.paste(*ast::get_if<ast::Call>(expr), copy, *this);
@@ -69,7 +82,10 @@ void Pasted::add(ast::Expr const& expr) {
 }
 
 void Pasted::add(Value value, Span span) {
-  operands_.push_back({op_, std::exchange(signs_, {}), std::move(value), span});
+  for (; !signs_.empty(); signs_.pop_back())
+    value.any = with_sign(signs_.back(), in_.expressions.to_numeric(value, span));
+  if (operands_.empty()) operands_.reserve(usual_length);
+  operands_.push_back({op_, std::move(value), span});
 }
 
 Value Pasted::value() {
@@ -78,7 +94,7 @@ Value Pasted::value() {
 }
 
 Value Pasted::level(int least) {
-  if (least > 3) return signed_operand();
+  if (least > 3) return std::move(operands_[next_++].value);
   Span const at = operands_[next_].span;
   Value left = level(least + 1);
   while (next_ < operands_.size() && tightness(operands_[next_].op) == least) {
@@ -89,25 +105,22 @@ Value Pasted::level(int least) {
   return left;
 }
 
-Value Pasted::signed_operand() {
-  Operand& operand = operands_[next_++];
-  for (; !operand.signs.empty(); operand.signs.pop_back())
-    operand.value.any =
-        with_sign(operand.signs.back(), in_.expressions.to_numeric(operand.value, operand.span));
-  return std::move(operand.value);
-}
-
 Value Pasted::apply(Op op, Value const& left, Value const& right, Span at, Span right_at) {
-  if (op == Op::Mul || op == Op::Div) return in_.expressions.product(op, left, at, right, right_at);
   Value result;
+  auto const* const a = std::get_if<Numeric>(&left.any);
+  auto const* const b = std::get_if<Numeric>(&right.any);
   auto const* const text = std::get_if<std::string>(&left.any);
-  if (text != nullptr && tightness(op) == 1) {
+  if (a != nullptr && b != nullptr) {
+    result.any = in_.expressions.binary(op, *a, *b, joined(at, right_at));
+  } else if (op == Op::Mul || op == Op::Div) {
+    return in_.expressions.product(op, left, at, right, right_at);
+  } else if (text != nullptr && tightness(op) == 1) {
     result.any = in_.expressions.comparison(op, *text, right, right_at);
-    return result;
+  } else {
+    in_.expressions.to_numeric(left, at);
+    in_.expressions.to_numeric(right, right_at);
+    result.any = poison();
   }
-  Numeric const a = in_.expressions.to_numeric(left, at);
-  result.any = in_.expressions.binary(op, a, in_.expressions.to_numeric(right, right_at),
-                                      joined(at, right_at));
   return result;
 }
 

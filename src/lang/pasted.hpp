@@ -20,12 +20,20 @@ public:
 
   /// Does a macro write one of the operands? Decided without evaluating them.
   static bool calls_macro(ast::Expr const&, Interpreter&);
-  static bool calls_macro(ast::Binary const&, Interpreter&);
+  static bool calls_macro(ast::Binary const& node, Interpreter& in) {
+    return node.calls && (calls_macro(node.left, in) || calls_macro(node.right, in));
+  }
+  static bool calls_macro(ast::Unary const& node, Interpreter& in) {
+    return node.calls && calls_macro(node.operand, in);
+  }
 
   /// The operands and operators of an expression, in which the macros are expanded.
   void add(ast::Expr const&);
   void add(ast::Binary const&);
   void add(ast::Unary const&);
+  /// The same of what a macro yields, of which the operators outside take the first or last
+  /// operand.
+  void add_open(ast::Expr const&);
   /// One operand.
   void add(Value, Span);
   /// What has been added as one value; empty after an error.
@@ -34,12 +42,10 @@ public:
 private:
   struct Operand {
     ast::BinaryOp op; ///< before it; of the first it has no meaning
-    std::vector<ast::UnaryOp> signs;
-    Value value;
+    Value value;      ///< with its signs
     Span span;
   };
   Value level(int least);
-  Value signed_operand();
   Value apply(ast::BinaryOp, Value const& left, Value const& right, Span at, Span right_at);
 
   Interpreter& in_;

@@ -212,6 +212,7 @@ private:
   void execute(ast::Declare const&);
   void execute(ast::Macro const&);
   void execute(ast::Directive const&);
+  bool is_broken(ast::Expr const& question, std::string_view wants);
   std::optional<bool> is_for(ast::Switch::Clause const&, double value);
   bool next_round(Frame ended);
   void break_out(Span);
