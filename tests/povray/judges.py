@@ -71,18 +71,16 @@ class Povray:
 
     def ask_alone(self, i: int) -> None:
         """Of the scene itself, in which #local means another thing than in an included file."""
-        hangs, status, debug, fatal = self.start(str(self.paths[i]))
+        hangs, status, _, fatal = self.start(str(self.paths[i]))
         if hangs or status < 0:
             self.verdicts[i] = Verdict('hangs' if hangs else 'crashes')
             return
         if status:
             self.verdicts[i] = Verdict('refuses', message_of(fatal))
             return
-        if debug[-1:] != '\n':  # povray keeps the rest of a line to itself
-            whole = self.paths[i].with_suffix('.whole.pov')
-            whole.write_bytes(self.paths[i].read_bytes() + b'\n#debug "\\n"\n')
-            debug = self.start(str(whole))[2]
-        self.verdicts[i] = Verdict('reads', '', said(debug))
+        ended = self.paths[i].with_suffix('.ended.pov')  # povray keeps the rest of a line to itself
+        ended.write_bytes(self.paths[i].read_bytes() + b'\n#debug "\\n"\n')
+        self.verdicts[i] = Verdict('reads', '', said(self.start(str(ended))[2]))
 
     @staticmethod
     def start(scene: str, text: str = '') -> tuple:
