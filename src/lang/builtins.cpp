@@ -53,6 +53,7 @@ double days_since_2000() {
 } // namespace
 
 Numeric constant(Constant which, Interpreter& in) {
+  AnimationFrame const& frame = in.options().frame;
   switch (which) {
   case Constant::X:
     return axis(3, 0);
@@ -72,6 +73,22 @@ Numeric constant(Constant which, Interpreter& in) {
   case Constant::Yes:
   case Constant::On:
     return scalar_of(1);
+  case Constant::Clock:
+    return scalar_of(frame.clock);
+  case Constant::ClockDelta:
+    return scalar_of(frame.clock_delta);
+  case Constant::ClockOn:
+    return scalar_of(frame.clock_on ? 1 : 0);
+  case Constant::FrameNumber:
+    return scalar_of(frame.number);
+  case Constant::InitialFrame:
+    return scalar_of(frame.initial_frame);
+  case Constant::FinalFrame:
+    return scalar_of(frame.final_frame);
+  case Constant::InitialClock:
+    return scalar_of(frame.initial_clock);
+  case Constant::FinalClock:
+    return scalar_of(frame.final_clock);
   case Constant::ImageWidth:
     return scalar_of(in.options().image_width);
   case Constant::ImageHeight:
@@ -81,7 +98,7 @@ Numeric constant(Constant which, Interpreter& in) {
   case Constant::Now:
     return scalar_of(days_since_2000());
   default:
-    return scalar_of(0); // no, off, false; one picture at clock 0, as without animation
+    return scalar_of(0); // no, off, false
   }
 }
 

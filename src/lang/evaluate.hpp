@@ -16,6 +16,19 @@
 
 namespace abbe::lang {
 
+/// Which picture of a series is made, as POV-Ray's options +K, +KI, +KF, +KFI and +KFF tell a
+/// scene. The values are those of a picture alone.
+struct AnimationFrame {
+  double clock = 0;
+  double clock_delta = 0; ///< from one picture to the next
+  bool clock_on = false;  ///< was a clock or a series asked for?
+  double initial_clock = 0;
+  double final_clock = 0;
+  int number = 0; ///< `frame_number`
+  int initial_frame = 0;
+  int final_frame = 0;
+};
+
 struct EvaluateOptions {
   std::filesystem::path stdlib_dir;
   std::filesystem::path povray_dir;                              ///< POV-Ray's includes, or none
@@ -24,6 +37,7 @@ struct EvaluateOptions {
   std::vector<std::pair<std::string, std::string>> declarations; ///< -D name=value
   int image_width = 640;
   int image_height = 480;
+  AnimationFrame frame = {};
   bool allow_write = false; ///< --allow-write
   int max_errors = 50;
   int max_macro_depth = 1000;

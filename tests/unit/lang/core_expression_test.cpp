@@ -132,6 +132,17 @@ TEST(Expression, ColoursKeepWhatTheyAre) {
             "1.0,1.0,1.0,0.5,0.0");
 }
 
+TEST(Expression, TheFrameIsThatOfTheOptions) {
+  // What povray says for the second picture of +KI1 +KF2 +KFI2 +KFF4.
+  EvaluateOptions options;
+  options.frame = {1.5, 0.5, true, 1, 2, 3, 2, 4};
+  EXPECT_EQ(said("#debug concat(str(clock,0,1),\" \",str(clock_delta,0,1),\" \",str(clock_on,0,0),"
+                 "\" \",str(initial_clock,0,0),str(final_clock,0,0),str(frame_number,0,0),"
+                 "str(initial_frame,0,0),str(final_frame,0,0))",
+                 options),
+            "1.5 0.5 1 12324");
+}
+
 TEST(Expression, StringsCompare) {
   EXPECT_EQ(said("#if(\"a\"<\"b\") #debug \"yes\" #end"), "yes");
   EXPECT_EQ(said("#declare S=\"b\"; #if(S=\"b\") #debug \"yes\" #end"), "yes");
