@@ -2,7 +2,6 @@
 #include "transport/buckets.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <compare>
 #include <numeric>
 #include <tuple>
@@ -39,6 +38,9 @@ bool same(BucketKey const& a, BucketKey const& b, geometry::Groups const& groups
   return a.kind != BucketKey::Kind::Several || compare(groups[a.number], groups[b.number]) == 0;
 }
 
+/// Room of the table at first: a power of two.
+constexpr std::size_t least_table = 64;
+
 std::uint64_t hash(BucketKey const& k) {
   std::uint64_t word =
       static_cast<std::uint64_t>(static_cast<std::uint32_t>(k.surface)) << 32
@@ -62,15 +64,27 @@ std::uint32_t Buckets::bucket_of(BucketKey const& key, geometry::Groups const& g
       keys_.push_back(key);
       ends_.push_back(0);
       table_[at] = static_cast<std::uint32_t>(keys_.size());
+      if (2 * keys_.size() > table_.size()) grow();
+      return static_cast<std::uint32_t>(keys_.size() - 1);
     }
     if (same(keys_[table_[at] - 1], key, groups)) return table_[at] - 1;
+  }
+}
+
+void Buckets::grow() {
+  table_.assign(2 * table_.size(), 0);
+  std::size_t const mask = table_.size() - 1;
+  for (std::size_t bucket = 0; bucket < keys_.size(); ++bucket) {
+    std::size_t at = hash(keys_[bucket]) & mask;
+    while (table_[at] != 0) at = (at + 1) & mask;
+    table_[at] = static_cast<std::uint32_t>(bucket + 1);
   }
 }
 
 void Buckets::sort(std::span<BucketKey const> keys, geometry::Groups const& groups) {
   keys_.clear();
   ends_.clear();
-  table_.assign(std::bit_ceil(2 * keys.size() + 2), 0);
+  table_.assign(least_table, 0);
   bucket_.resize(keys.size());
   places_.resize(keys.size());
   for (std::size_t k = 0; k < keys.size(); ++k) {

@@ -45,6 +45,7 @@ public:
   }
 
 private:
+  void grow();
   std::uint32_t bucket_of(BucketKey const& key, geometry::Groups const& groups);
   std::vector<BucketKey> keys_; ///< by bucket
   std::vector<std::uint32_t> ends_, order_, bucket_, places_, table_;

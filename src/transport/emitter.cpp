@@ -64,6 +64,71 @@ double Emitter::lost_at(std::uint32_t slot) const {
   return at < lost_apart_.size() ? lost_apart_[at].value() : 0;
 }
 
+template <class RayOf>
+void Emitter::set_starts(Chunk const& chunk, Rays& to, std::size_t first, std::size_t count,
+                         bool through, RayOf const& ray_of) const {
+  auto const copy = [&](geometry::VectorArrays const& out, Vectors const& in) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t const r = ray_of(i);
+      out.x[first + i] = in.x[r];
+      out.y[first + i] = in.y[r];
+      out.z[first + i] = in.z[r];
+    }
+  };
+  copy(to.origin, chunk.point);
+  copy(to.origin_error, chunk.point_error);
+  MediaStacks::Id const* const stack = through ? chunk.after : chunk.before;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t const r = ray_of(i);
+    to.start[first + i] = chunk.start_of(r, through);
+    to.stack[first + i] = stack[r];
+  }
+}
+
+void Emitter::send(Chunk const& chunk, Onward const& rays) {
+  ChunkLight const& like = rays.like;
+  std::size_t const n = like.each;
+  std::uint16_t going[chunk_width];
+  std::size_t count = 0;
+  each_of(rays.rays, [&](std::size_t r) {
+    double const* const light = rays.light + r * n;
+    bool goes = any_above(light, n, stage_.adc_bailout);
+    if (goes) {
+      ++(counts.*rays.counted);
+      count_ray(chunk.sample[r]);
+      goes = chunk.level[r] + static_cast<int>(rays.deeper >> r & 1) < stage_.max_trace_level;
+    }
+    if (goes)
+      going[count++] = static_cast<std::uint16_t>(r);
+    else
+      cut(rays.slot[r], light, n);
+  });
+  if (count == 0) return;
+  Rays& to = queue({like.kind, rays.mirrored ? reflection_bit : chunk.mask, rays.mirrored});
+  std::size_t const first = to.add(count);
+  set_starts(chunk, to, first, count, !rays.mirrored, [&](std::size_t i) { return going[i]; });
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t const r = going[i], k = first + i;
+    to.direction.x[k] = rays.way.x[r];
+    to.direction.y[k] = rays.way.y[r];
+    to.direction.z[k] = rays.way.z[r];
+    to.slot[k] = rays.slot[r];
+    to.channel[k] = like.channels[r * n];
+    to.tooth[k] = like.tooth[r];
+    to.level[k] = static_cast<std::uint16_t>(chunk.level[r] + (rays.deeper >> r & 1));
+  }
+  double* light = to.light_of(first);
+  for (std::size_t i = 0; i < count; ++i, light += n)
+    for (std::size_t c = 0; c < n; ++c) light[c] = rays.light[going[i] * n + c];
+  if (like.kind.listed())
+    for (std::size_t i = 0; i < count; ++i)
+      std::copy_n(like.channels + going[i] * n, n, to.channels.data() + (first + i) * n);
+  if (fields_.travelled)
+    std::fill_n(to.travelled.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+  if (fields_.path)
+    for (std::size_t i = 0; i < count; ++i) to.path[first + i] = chunk.path[going[i]];
+}
+
 void Emitter::send(Chunk const& chunk, Departing const& rays) {
   Arena::Scope const scope(arena_);
   std::size_t const n = rays.kind.size();
@@ -88,26 +153,25 @@ void Emitter::send(Chunk const& chunk, Departing const& rays) {
   auto const each = [&](auto const& work) {
     for (std::size_t i = 0; i < count; ++i) work(first + i, going[i]);
   };
-  each([&](std::size_t k, std::uint32_t i) { to.origin.x[k] = chunk.point.x[rays.ray[i]]; });
-  each([&](std::size_t k, std::uint32_t i) { to.origin.y[k] = chunk.point.y[rays.ray[i]]; });
-  each([&](std::size_t k, std::uint32_t i) { to.origin.z[k] = chunk.point.z[rays.ray[i]]; });
+  set_starts(chunk, to, first, count, !rays.mirrored,
+             [&](std::size_t i) { return rays.ray[going[i]]; });
   each([&](std::size_t k, std::uint32_t i) {
-    to.origin_error.set(k, chunk.point_error.get(rays.ray[i]));
+    to.direction.x[k] = rays.x[i];
+    to.direction.y[k] = rays.y[i];
+    to.direction.z[k] = rays.z[i];
   });
   each([&](std::size_t k, std::uint32_t i) {
-    to.direction.set(k, {rays.x[i], rays.y[i], rays.z[i]});
-  });
-  bool const through = !rays.mirrored;
-  each([&](std::size_t k, std::uint32_t i) {
-    std::uint32_t const r = rays.ray[i];
-    to.start[k] = chunk.start_of(r, through);
-    to.stack[k] = through ? chunk.after[r] : chunk.before[r];
     to.slot[k] = rays.slot[i];
     to.channel[k] = rays.channel[i];
     to.tooth[k] = rays.tooth[i];
     to.level[k] = rays.level[i];
-    std::copy_n(rays.light + i * n, n, to.light_of(k));
   });
+  if (n == 1)
+    each([&](std::size_t k, std::uint32_t i) { to.light[k] = rays.light[i]; });
+  else
+    each([&](std::size_t k, std::uint32_t i) {
+      std::copy_n(rays.light + i * n, n, to.light_of(k));
+    });
   if (rays.kind.listed())
     each([&](std::size_t k, std::uint32_t i) {
       std::copy_n(rays.channels + i * n, n, to.channels.data() + k * n);

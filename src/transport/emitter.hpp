@@ -37,6 +37,17 @@ struct Departing {
   std::uint32_t* path = nullptr;     ///< null: the chunk's
 };
 
+/// Rays of a chunk that leave its surface as they came: with the lanes that they have.
+struct Onward {
+  ChunkLight const& like;      ///< kind and channels; slots, unless others are given
+  std::uint32_t const* slot;   ///< a ray
+  double const* light;         ///< a lane
+  Vectors const& way;          ///< directions
+  RaySet rays = 0, deeper = 0; ///< which; which are a level deeper
+  bool mirrored = false;
+  std::uint64_t RayCounts::*counted = nullptr;
+};
+
 /// Puts rays into the queues of the next generation, or notes what is cut of their light.
 class Emitter {
 public:
@@ -46,6 +57,7 @@ public:
   /// Room for so many; they are in the arena.
   Departing room(LightKind const& kind, std::size_t count) const;
   void send(Chunk const& chunk, Departing const& rays);
+  void send(Chunk const& chunk, Onward const& rays);
   /// Light of a ray that is not followed.
   void cut(std::uint32_t slot, double const* light, std::size_t lanes);
   /// The light is lost, or may be. @return false: nothing that can be seen
@@ -76,6 +88,11 @@ public:
   }
 
 private:
+  /// Where rays start from that leave what a chunk met; of ray number i of those: ray_of(i).
+  template <class RayOf>
+  void set_starts(Chunk const& chunk, Rays& to, std::size_t first, std::size_t count, bool through,
+                  RayOf const& ray_of) const;
+
   Stage const& stage_;
   Arena& arena_;
   WaveTables& waves_;

@@ -186,8 +186,10 @@ void Shader<Lanes>::shade_layer(Layer const& layer, Side const& side, RaySet ray
     add_mirror(*finish.reflection, mirror, side.carries, rays, out);
   }
   double *const passed = out.passed, *const colour = pigment.colour;
-  each_lane(rays, [&](std::size_t r, std::size_t k) {
-    passed[k] *= pigment.filter[r] * colour[k] + pigment.transmit[r];
+  each_of(rays, [&](std::size_t r) {
+    double const filter = pigment.filter[r], transmit = pigment.transmit[r];
+    for (std::size_t k = r * each(); k < (r + 1) * each(); ++k)
+      passed[k] *= filter * colour[k] + transmit;
   });
   if (mirror != nullptr && finish.conserve_energy)
     each_lane(rays, [&](std::size_t, std::size_t k) {
@@ -215,6 +217,7 @@ void Shader<Lanes>::pigments_at(Layer const& layer, RaySet rays, Pigments& out) 
   surface::Textures const& textures = stage_.textures;
   out.colour = take_lanes();
   std::uint16_t const* const channels = chunk_.channels;
+  if (in_order_ && same_pigment(layer, rays, out)) return;
   each_of(rays, [&](std::size_t r) {
     CompiledLayer const& own = textures.layers[static_cast<std::size_t>(layer.of(r))];
     CompiledPigment const& pigment = textures.pigments[static_cast<std::size_t>(own.pigment)];
@@ -231,6 +234,27 @@ void Shader<Lanes>::pigments_at(Layer const& layer, RaySet rays, Pigments& out) 
     out.transmit[r] = value.transmit;
     out.opaque[r] = surface::opacity(textures, value, lanes);
   });
+}
+
+template <int Lanes>
+bool Shader<Lanes>::same_pigment(Layer const& layer, RaySet rays, Pigments& out) {
+  surface::Textures const& textures = stage_.textures;
+  auto const first = static_cast<std::size_t>(std::countr_zero(rays));
+  CompiledLayer const& own = textures.layers[static_cast<std::size_t>(layer.of(first))];
+  CompiledPigment const& pigment = textures.pigments[static_cast<std::size_t>(own.pigment)];
+  if (pigment.pattern >= 0) return false;
+  for (std::size_t r = 0; layer.own != nullptr && r < chunk_.count; ++r)
+    if (layer.own[r] != layer.own[first]) return false;
+  surface::PigmentValue value{out.colour, pigment.filter, pigment.transmit};
+  double const* const colour = textures.colour(pigment);
+  std::size_t k = 0;
+  for (std::size_t r = 0; r < chunk_.count; ++r)
+    for (std::size_t c = 0; c < each(); ++c) out.colour[k++] = colour[c];
+  std::fill_n(out.filter.value, chunk_.count, value.filter);
+  std::fill_n(out.transmit.value, chunk_.count, value.transmit);
+  std::fill_n(out.opaque.value, chunk_.count,
+              surface::opacity(textures, value, static_cast<int>(each())));
+  return true;
 }
 
 template <int Lanes>

@@ -129,6 +129,8 @@ private:
   void shade_layers(std::span<int const> layers, Side const& side, RaySet rays, SurfaceLight& out);
   void shade_layer(Layer const& layer, Side const& side, RaySet rays, SurfaceLight& out);
   void pigments_at(Layer const& layer, RaySet rays, Pigments& out);
+  /// The same where all rays see one that is without a pattern. @return false: they do not
+  bool same_pigment(Layer const& layer, RaySet rays, Pigments& out);
   void add_glow(surface::CompiledFinish const& finish, Pigments const& pigment, RaySet rays,
                 SurfaceLight& out);
   void reflectivity(surface::CompiledReflection const& reflection, double const* pigment,

@@ -177,9 +177,17 @@ void Tracer::arrive(Rays& rays) {
   after_.resize(keys_.size());
   rest_.resize(keys_.size());
   path_.resize(keys_.size());
+  // Where media neither displace each other nor leak, most is said at once.
+  bool const plain = !stage_.has_priorities && !stage_.has_leaks;
   for (std::size_t k = 0; k < rays.count(); ++k) {
-    keys_[k] = meeting_of(rays, k);
-    if (!emitter_.fields().path) continue;
+    geometry::RayHit const& met = hits_.hit[k];
+    if (plain && met.kind == geometry::RayHit::Kind::Single)
+      keys_[k] = plain_meeting(rays.stack[k], met, k);
+    else
+      keys_[k] = meeting_of(rays, k);
+  }
+  if (!emitter_.fields().path) return;
+  for (std::size_t k = 0; k < rays.count(); ++k) {
     geometry::RayHit const& hit = hits_.hit[k];
     bool const met = hit.kind != geometry::RayHit::Kind::Nothing;
     auto const member = hit.kind == geometry::RayHit::Kind::Group
@@ -194,6 +202,22 @@ void Tracer::arrive(Rays& rays) {
         rays.path[k], rays.start[k].through, kind, rays.light_of(k), lambda_nm,
         {met, rays.direction.get(k), met ? hits_.point.get(k) : Vec3(0), hit.primitive, member});
   }
+}
+
+BucketKey Tracer::plain_meeting(MediaStacks::Id before, geometry::RayHit const& hit,
+                                std::size_t k) {
+  MediaStacks::Id const after = stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  before_[k] = before;
+  after_[k] = after;
+  rest_[k] = hits_.t[k];
+  BucketKey key;
+  key.kind = BucketKey::Kind::Surface;
+  key.entering = hit.entering;
+  key.moves = before != after;
+  key.surface = surface_class(stage_.textures, hit.primitive);
+  key.before = stacks_.medium(before);
+  key.after = stacks_.medium(after);
+  return key;
 }
 
 BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
@@ -250,9 +274,20 @@ void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32
   c.doubles = kind.listed() && stage_.comb(kind.comb).follow == optics::Comb::Follow::Doubled;
   c.channels = arena_.take<std::uint16_t>(c.lanes() + 8);
   c.light = arena_.take<double>(c.lanes() + 8);
-  for (std::size_t r = 0; r < c.count; ++r) {
-    std::uint32_t const k = places[r];
-    c.direction.set(r, rays.direction.get(k));
+  std::uint32_t const* const place = places.data();
+  std::size_t const count = places.size();
+  auto const vectors = [&](Vectors& to, geometry::VectorArrays const& from) {
+    for (std::size_t r = 0; r < count; ++r) {
+      to.x[r] = from.x[place[r]];
+      to.y[r] = from.y[place[r]];
+      to.z[r] = from.z[place[r]];
+    }
+  };
+  vectors(c.direction, rays.direction);
+  vectors(c.point, hits_.point);
+  vectors(c.point_error, hits_.point_error);
+  for (std::size_t r = 0; r < count; ++r) {
+    std::uint32_t const k = place[r];
     c.slot[r] = rays.slot[k];
     c.tooth[r] = rays.tooth[k];
     c.level[r] = rays.level[k];
@@ -260,12 +295,21 @@ void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32
     c.before[r] = before_[k];
     c.after[r] = after_[k];
     c.hit[r] = hits_.hit[k];
-    c.point.set(r, hits_.point.get(k));
-    c.point_error.set(r, hits_.point_error.get(k));
     chunk_rest_[r] = rest_[k];
     chunk_way_[r] = hits_.t[k];
-    std::copy_n(rays.light_of(k), n, c.light + r * n);
-    channels_of(rays, k, c.channels + r * n);
+  }
+  double const* const light = rays.light.data();
+  if (kind.listed()) {
+    for (std::size_t r = 0; r < count; ++r) {
+      std::copy_n(light + place[r] * n, n, c.light + r * n);
+      channels_of(rays, place[r], c.channels + r * n);
+    }
+  } else {
+    for (std::size_t r = 0, lane = 0; r < count; ++r)
+      for (std::size_t i = 0; i < n; ++i, ++lane) {
+        c.light[lane] = light[place[r] * n + i];
+        c.channels[lane] = static_cast<std::uint16_t>(rays.channel[place[r]] + i);
+      }
   }
   for (std::size_t r = c.count; r % 8 != 0; ++r) { // kernels compute whole lanes
     c.direction.set(r, c.direction.get(c.count - 1));
@@ -283,21 +327,11 @@ void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32
 void Tracer::find_normals() {
   Chunk& c = chunk_;
   geometry::World const& world = *stage_.world;
+  world.normals(c.count, c.hit, c.point.arrays(), c.normal.arrays(), c.geometric.arrays());
   bool smoothed = false;
-  for (std::size_t r = 0; r < c.count; ++r) {
-    geometry::RayHit const& hit = c.hit[r];
-    bool const again = r > 0 && hit.primitive == c.hit[r - 1].primitive
-                       && hit.face == c.hit[r - 1].face && world.flat(hit.primitive, hit.face);
-    if (again) {
-      c.normal.set(r, c.normal.get(r - 1));
-      c.geometric.set(r, c.geometric.get(r - 1));
-      continue;
-    }
-    auto const normals = world.normals(hit.primitive, hit.face, c.point.get(r));
-    c.normal.set(r, normals.smoothed);
-    c.geometric.set(r, normals.geometric);
-    smoothed = smoothed || normals.smoothed != normals.geometric;
-  }
+  for (std::size_t r = 0; r < c.count; ++r)
+    smoothed = smoothed || c.normal.x[r] != c.geometric.x[r] || c.normal.y[r] != c.geometric.y[r]
+               || c.normal.z[r] != c.geometric.z[r];
   for (std::size_t r = c.count; r % 8 != 0; ++r) {
     c.normal.set(r, c.normal.get(c.count - 1));
     c.geometric.set(r, c.geometric.get(c.count - 1));

@@ -70,7 +70,8 @@ private:
   /// What becomes of light at a surface, a value a lane.
   struct Shares {
     double *back = nullptr, *on = nullptr;
-    SplitLanes ways; ///< of lanes that split
+    SplitLanes ways;                   ///< of lanes that split
+    RaySet returning = 0, passing = 0; ///< rays that may; of others nothing is written
   };
 
   void start_camera(PicturePoints const& points, std::span<SampleKey const> keys);
@@ -84,6 +85,8 @@ private:
   /// What each ray met, and what it is inside of before and after.
   void arrive(Rays& rays);
   BucketKey meeting_of(Rays& rays, std::size_t place);
+  /// The same where media neither displace each other nor leak, of one surface.
+  BucketKey plain_meeting(MediaStacks::Id before, geometry::RayHit const& hit, std::size_t place);
   /// Puts rays of a bucket side by side.
   void gather(QueueKey const& key, Rays const& rays, std::span<std::uint32_t const> places);
   void find_normals();

@@ -168,16 +168,19 @@ SurfaceLight Tracer::shade_chunk(Face const& face, Shares const& shares, bool li
 
 void Tracer::find_shares(Face const& face, SurfaceLight const* surface, Shares& shares) {
   Chunk const& c = chunk_;
-  shares.back = arena_.take<double>(c.lanes() + 8);
-  shares.on = arena_.take<double>(c.lanes() + 8);
-  for (std::size_t r = 0, k = 0; r < c.count; ++r) {
-    bool const unasked =
-        face.fresnel && !(surface != nullptr && (surface->explicit_reflection >> r & 1) != 0);
-    bool const passes = surface == nullptr || any_above(surface->passed + k, c.each, 0);
-    for (std::size_t i = 0; i < c.each; ++i, ++k) {
-      bool const total = face.splits ? shares.ways.total[k] : (c.total >> r & 1) != 0;
-      double const reflectance = face.splits ? shares.ways.reflectance[k] : c.reflectance[r];
-      double const transmittance = face.splits ? shares.ways.transmittance[k] : c.transmittance[r];
+  std::size_t const lanes = c.lanes();
+  shares.back = arena_.take<double>(lanes + 8);
+  shares.on = arena_.take<double>(lanes + 8);
+  shares.passing = shares.returning = 0;
+  RaySet const unasked_of =
+      face.fresnel ? ~(surface != nullptr ? surface->explicit_reflection : RaySet{0}) : 0;
+  for (std::size_t r = 0, first = 0; r < c.count; ++r, first += c.each) {
+    bool const unasked = (unasked_of >> r & 1) != 0;
+    bool const passes = surface == nullptr || any_above(surface->passed + first, c.each, 0);
+    bool const mirrors = surface != nullptr && (surface->mirrors >> r & 1) != 0;
+    if (!passes && !mirrors) continue;
+    bool returns = false;
+    auto const share = [&](std::size_t k, bool total, double reflectance, double transmittance) {
       double const passed = surface != nullptr ? surface->passed[k] : 1;
       double const asked = surface != nullptr ? surface->mirrored[k] : 0;
       // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
@@ -185,49 +188,51 @@ void Tracer::find_shares(Face const& face, SurfaceLight const* surface, Shares& 
                           : unasked && passed > 0 ? asked + reflectance
                                                   : asked;
       shares.back[k] = c.light[k] * back;
-      shares.on[k] = c.light[k] * (passed * (total ? 0 : unasked ? transmittance : 1));
+      shares.on[k] = c.light[k] * (total ? 0 : unasked ? passed * transmittance : passed);
+      returns = returns || back != 0;
+    };
+    if (face.splits) {
+      for (std::size_t k = first; k < first + c.each; ++k)
+        share(k, shares.ways.total[k], shares.ways.reflectance[k], shares.ways.transmittance[k]);
+    } else {
+      bool const total = (c.total >> r & 1) != 0;
+      double const reflectance = c.reflectance[r], transmittance = c.transmittance[r];
+      for (std::size_t k = first; k < first + c.each; ++k)
+        share(k, total, reflectance, transmittance);
     }
+    shares.returning |= RaySet{returns} << r;
+    shares.passing |= RaySet{passes} << r;
   }
+  if (!face.splits || shares.passing == first_rays(c.count)) return;
+  for (std::size_t r = 0; r < c.count; ++r) // policies look at all
+    if ((shares.passing >> r & 1) == 0) std::fill_n(shares.on + r * c.each, c.each, 0.0);
 }
 
 void Tracer::mirror(Face const& face, SurfaceLight const* surface, Shares const& shares) {
   Chunk const& c = chunk_;
-  RaySet rays = 0, bent = 0;
-  for (std::size_t r = 0; r < c.count; ++r) {
-    if (!any_but_zero(shares.back + r * c.each, c.each)) continue;
-    bool const mirrors = surface != nullptr && (surface->mirrors >> r & 1) != 0;
-    bool powers = mirrors && surface->exponent[r] != 1;
+  RaySet rays = shares.returning, bent = 0;
+  RaySet const mirrors = surface != nullptr ? surface->mirrors & rays : 0;
+  each_of(mirrors, [&](std::size_t r) {
+    bool powers = surface->exponent[r] != 1;
     if (powers && face.splits)
       powers = std::none_of(shares.ways.total + r * c.each, shares.ways.total + (r + 1) * c.each,
                             [](bool total) { return total; });
     else if (powers)
       powers = (c.total >> r & 1) == 0;
-    (powers ? bent : rays) |= RaySet{1} << r;
-  }
+    bent |= RaySet{powers} << r;
+  });
+  rays &= ~bent;
   if (bent != 0) mirror_bent(face, *surface, shares, bent);
   if (rays == 0) return;
-  ChunkLight const light = face.splits && face.doubles && c.kind.comb == no_comb
-                               ? comb_light_.doubled(c, shares.back, face.comb)
-                               : static_cast<ChunkLight const&>(c);
-  bool const parted = light.kind != c.kind;
-  std::size_t const n = light.each;
-  Departing out = emitter_.room(light.kind, c.count);
-  out.mirrored = true;
-  out.counted = &RayCounts::reflected;
-  each_of(rays, [&](std::size_t r) {
-    std::size_t const i = out.count++;
-    out.ray[i] = static_cast<std::uint32_t>(r);
-    out.x[i] = c.mirrored.x[r];
-    out.y[i] = c.mirrored.y[r];
-    out.z[i] = c.mirrored.z[r];
-    out.level[i] = static_cast<std::uint16_t>(c.level[r] + 1);
-    out.slot[i] = light.slot[r];
-    out.channel[i] = light.channels[r * n];
-    out.tooth[i] = light.tooth[r];
-    if (light.kind.listed()) std::copy_n(light.channels + r * n, n, out.channels + i * n);
-    std::copy_n((parted ? light.light : shares.back) + r * n, n, out.light + i * n);
-  });
-  emitter_.send(c, out);
+  auto const send = [&](ChunkLight const& light, double const* values) {
+    emitter_.send(
+        c, Onward{light, light.slot, values, c.mirrored, rays, rays, true, &RayCounts::reflected});
+  };
+  if (face.splits && face.doubles && c.kind.comb == no_comb) {
+    ChunkLight const doubled = comb_light_.doubled(c, shares.back, face.comb);
+    return send(doubled, doubled.light);
+  }
+  send(c, shares.back);
 }
 
 void Tracer::mirror_bent(Face const& face, SurfaceLight const& surface, Shares const& shares,
@@ -285,6 +290,7 @@ void Tracer::capture(ChunkLight const& light, std::size_t r, double exponent) {
 void Tracer::go_on(Face const& face, Shares const& shares) {
   Chunk const& c = chunk_;
   std::size_t const n = c.each;
+  if (shares.passing == 0) return;
   if (face.splits) {
     if (!c.kind.monochromatic())
       for (std::size_t r = 0; r < c.count; ++r)
@@ -294,27 +300,21 @@ void Tracer::go_on(Face const& face, Shares const& shares) {
                                           face.governing->tolerance_px});
     return;
   }
-  Departing out = emitter_.room(c.kind, c.count);
-  out.counted = &RayCounts::refracted;
-  for (std::size_t r = 0; r < c.count; ++r) {
-    if (!any_but_zero(shares.on + r * n, n)) continue;
-    std::size_t const i = out.count++;
-    bool const bends = c.n1[r] != c.n2[r];
-    Vectors const& way = bends ? c.refracted : c.direction;
-    out.ray[i] = static_cast<std::uint32_t>(r);
-    out.x[i] = way.x[r];
-    out.y[i] = way.y[r];
-    out.z[i] = way.z[r];
-    out.level[i] = static_cast<std::uint16_t>(c.level[r] + (bends ? 1 : 0));
-    out.slot[i] = face.picks ? film_.picked_control_slot(film_.block_of(c.slot[r]), face.comb,
-                                                         c.channels[r * n])
-                             : c.slot[r];
-    out.channel[i] = c.channels[r * n];
-    out.tooth[i] = c.tooth[r];
-    if (c.kind.listed()) std::copy_n(c.channels + r * n, n, out.channels + i * n);
-    std::copy_n(shares.on + r * n, n, out.light + i * n);
+  RaySet bent = 0;
+  RaySet const rays = shares.passing & ~c.total;
+  if (rays == 0) return;
+  each_of(rays, [&](std::size_t r) { bent |= RaySet{c.n1[r] != c.n2[r]} << r; });
+  std::uint32_t const* slot = c.slot;
+  std::uint32_t picked[chunk_width];
+  if (face.picks) {
+    for (std::size_t r = 0; r < c.count; ++r)
+      picked[r] =
+          film_.picked_control_slot(film_.block_of(c.slot[r]), face.comb, c.channels[r * n]);
+    slot = picked;
   }
-  emitter_.send(c, out);
+  // Where nothing bends, the refracted direction is the ray's.
+  emitter_.send(c,
+                Onward{c, slot, shares.on, c.refracted, rays, bent, false, &RayCounts::refracted});
 }
 
 void Tracer::share(Face const& face) {
