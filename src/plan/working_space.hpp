@@ -4,6 +4,8 @@
 #include "base/vec.hpp"
 #include "scene/scene.hpp"
 
+#include <span>
+
 namespace abbe::plan {
 
 /// The space that the numbers of a scene's colours are in (`assumed_gamma`), as a map to linear
@@ -18,6 +20,8 @@ public:
   explicit WorkingSpace(scene::Settings const& settings);
   bool is_linear() const { return kind_ == Kind::Linear; }
   double to_linear(double value) const;
+  /// Each of them.
+  void to_linear(std::span<float> values) const;
   Vec3 to_linear(Vec3 const& rgb) const {
     return {to_linear(rgb.x), to_linear(rgb.y), to_linear(rgb.z)};
   }

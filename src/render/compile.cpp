@@ -35,6 +35,9 @@ void compile_sky(scene::Scene const& scene, PigmentCompiler& pigments, ColourCom
 /// Throughput below which a path is dropped when the scene does not say: a pixel loses some ten
 /// such paths at most in all but contrived scenes, so less than 1e-4 of white.
 constexpr double default_bailout = 1e-5;
+/// Where a sample has taken so many rays for each of its channels, little of the rest matters:
+/// POV-Ray's own limits stop at some hundred.
+constexpr int default_rays = 1024;
 /// Ends what never fades: mirrors face to face, light that is trapped in glass.
 constexpr int default_level = 256;
 
@@ -42,6 +45,7 @@ void set_limits(scene::Settings const& settings, Stage& stage) {
   bool const given = settings.adc_bailout || settings.max_trace_level;
   stage.adc_bailout = settings.adc_bailout.value_or(given ? 1.0 / 255 : default_bailout);
   stage.max_trace_level = settings.max_trace_level.value_or(given ? 5 : default_level);
+  stage.most_rays = given ? 0 : static_cast<std::uint32_t>(default_rays * stage.channels);
 }
 
 double largest(std::span<double const> channels) {

@@ -392,7 +392,7 @@ TileSize tile_size(RenderOptions const& options) {
 
 void make_linear(image::Image& rows, Stage const& stage, plan::WorkingSpace const& space) {
   if (stage.spectral || space.is_linear()) return;
-  for (auto& value : rows.rgb) value = static_cast<float>(space.to_linear(value));
+  space.to_linear(std::span<float>(rows.rgb));
 }
 
 RenderResult make_frame(Stage const& stage, RenderOptions const& options,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "simd/native.hpp"
 #include "texture/lattice.hpp"
 #include "texture/noise_tables.hpp"
 #include "texture/pattern.hpp"
@@ -10,13 +11,20 @@
 namespace abbe::texture {
 namespace {
 
+namespace lane = simd;
+
 double s_curve(double f) {
   return f * f * (3 - 2 * f);
 }
 
-/// Calls visit(hash byte, weight, offset from the corner) for the 8 corners of the point's cell.
-template <class Visit>
-void for_each_corner(NoiseTables const& tables, Vec3 const& point, Visit visit) {
+/// The 8 corners of a point's cell: where the row of gradients begins that the hash gives each, the
+/// share of each, and the offset of the point from the first.
+struct Corners {
+  int row[8];
+  double weight[8];
+  Vec3 offset;
+};
+void find_corners(NoiseTables const& tables, Vec3 const& point, Corners& out) {
   NoiseCell const x = noise_cell(point.x);
   NoiseCell const y = noise_cell(point.y);
   NoiseCell const z = noise_cell(point.z);
@@ -24,29 +32,54 @@ void for_each_corner(NoiseTables const& tables, Vec3 const& point, Visit visit) 
   double const sy = s_curve(y.fraction);
   double const sz = s_curve(z.fraction);
   auto const& hash = tables.hash;
+  int corner = 0;
   for (int dx = 0; dx < 2; ++dx) {
     int const hx = hash[x.index + dx];
     double const wx = dx ? sx : 1 - sx;
     for (int dy = 0; dy < 2; ++dy) {
       int const hxy = hash[hx ^ (y.index + dy)];
       double const wxy = wx * (dy ? sy : 1 - sy);
-      for (int dz = 0; dz < 2; ++dz)
-        visit(hash[hxy ^ (z.index + dz)] & 255, wxy * (dz ? sz : 1 - sz),
-              Vec3(x.fraction - dx, y.fraction - dy, z.fraction - dz));
+      for (int dz = 0; dz < 2; ++dz, ++corner) {
+        out.row[corner] = hash[hxy ^ (z.index + dz)] & 255;
+        out.weight[corner] = wxy * (dz ? sz : 1 - sz);
+      }
     }
   }
+  out.offset = {x.fraction, y.fraction, z.fraction};
 }
 
-double corner_value(double const* g, Vec3 const& d) {
-  return 0.5 * g[0] + g[1] * d.x + g[2] * d.y + g[3] * d.z;
-}
+/// One value or three: at each corner 0.5 g0 + g . offset, times the corner's share. The four
+/// products of a corner stand side by side, and each is summed over the corners first.
+template <int Values>
+struct SumCorners {
+  template <class L>
+  static void run(NoiseTables const& tables, Vec3 const& point, double* out) {
+    static_assert(lane::width<L> == 4);
+    Corners corners;
+    find_corners(tables, point, corners);
+    L sum[Values];
+    for (L& value : sum) value = L(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 const d = corners.offset - Vec3(corner >> 2, corner >> 1 & 1, corner & 1);
+      double const way[4] = {0.5, d.x, d.y, d.z};
+      L const share = L(corners.weight[corner]) * lane::load<L>(way);
+      double const* const g = &tables.gradient[corners.row[corner]];
+      for (int value = 0; value < Values; ++value)
+        sum[value] = sum[value] + share * lane::load<L>(g + 4 * value);
+    }
+    for (int value = 0; value < Values; ++value) {
+      double part[4];
+      lane::store(part, sum[value]);
+      out[value] = (part[0] + part[1]) + (part[2] + part[3]);
+    }
+  }
+};
+simd::Native<SumCorners<1>, 4> const sum_one;
+simd::Native<SumCorners<3>, 4> const sum_three;
 
 double lattice_noise(Vec3 const& point) {
-  NoiseTables const& tables = noise_tables();
-  double sum = 0;
-  for_each_corner(tables, point, [&](int m, double weight, Vec3 const& d) {
-    sum += weight * corner_value(&tables.gradient[m], d);
-  });
+  double sum;
+  sum_one(noise_tables(), point, &sum);
   return sum;
 }
 
@@ -119,13 +152,9 @@ double noise_slope(int generator) {
 }
 
 Vec3 vector_noise(Vec3 const& point) {
-  NoiseTables const& tables = noise_tables();
-  Vec3 sum{0};
-  for_each_corner(tables, point, [&](int m, double weight, Vec3 const& d) {
-    double const* const g = &tables.gradient[m];
-    sum += weight * Vec3(corner_value(g, d), corner_value(g + 4, d), corner_value(g + 8, d));
-  });
-  return sum;
+  double sum[3];
+  sum_three(noise_tables(), point, sum);
+  return {sum[0], sum[1], sum[2]};
 }
 
 double turbulence(Vec3 const& point, Turbulence const& t, int generator) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "transport/emitter.hpp"
 
+#include "simd/math.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace abbe::transport {
 
@@ -11,13 +14,30 @@ Emitter::Emitter(Stage const& stage, Arena& arena, WaveTables& waves, SampleFilm
     : stage_(stage), arena_(arena), waves_(waves), film_(film) {
   fields_.travelled = stage.has_priorities;
   fields_.path = stage.has_adaptive || paths.records();
+  counts_samples_ = stage.most_rays > 0;
 }
 
 void Emitter::start_samples(std::size_t count) {
   lost_.assign(count, {});
   lost_apart_.clear();
   if (counts_samples_) rays_of_sample.assign(count, 0);
+  if (stage_.most_rays > 0) thresholds_.assign(count, stage_.adc_bailout);
   next_->clear();
+}
+
+Queues<QueueKey>& Emitter::turn() {
+  std::swap(now_, next_);
+  next_->clear();
+  if (stage_.most_rays == 0) return *now_;
+  // Twice as much for each sixteenth more, up to what POV-Ray ends all paths at.
+  constexpr double most = 1.0 / 255;
+  double const step = stage_.most_rays / 16.0;
+  for (std::size_t sample = 0; sample < rays_of_sample.size(); ++sample) {
+    if (rays_of_sample[sample] <= stage_.most_rays) continue;
+    double const over = (rays_of_sample[sample] - stage_.most_rays) / step;
+    thresholds_[sample] = std::min(most, stage_.adc_bailout * simd::exp(std::numbers::ln2 * over));
+  }
+  return *now_;
 }
 
 Departing Emitter::room(LightKind const& kind, std::size_t count) const {
@@ -92,7 +112,7 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
   std::size_t count = 0;
   each_of(rays.rays, [&](std::size_t r) {
     double const* const light = rays.light + r * n;
-    bool goes = any_above(light, n, stage_.adc_bailout);
+    bool goes = any_above(light, n, threshold(chunk.sample[r]));
     if (goes) {
       ++(counts.*rays.counted);
       count_ray(chunk.sample[r]);
@@ -136,7 +156,8 @@ void Emitter::send(Chunk const& chunk, Departing const& rays) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < rays.count; ++i) {
     double const* const light = rays.light + i * n;
-    bool goes = rays.counted == nullptr || any_above(light, n, stage_.adc_bailout);
+    bool goes =
+        rays.counted == nullptr || any_above(light, n, threshold(chunk.sample[rays.ray[i]]));
     if (goes && rays.counted != nullptr) {
       ++(counts.*rays.counted);
       count_ray(chunk.sample[rays.ray[i]]);

@@ -67,11 +67,7 @@ public:
   Rays::Fields const& fields() const { return fields_; }
   Rays& queue(QueueKey const& key) { return next_->of(key, key.kind, fields_); }
   /// What is next becomes what is now.
-  Queues<QueueKey>& turn() {
-    std::swap(now_, next_);
-    next_->clear();
-    return *now_;
-  }
+  Queues<QueueKey>& turn();
 
   /// Of a sample: of red, green or blue, whichever lost most.
   double lost_of(std::size_t sample) const;
@@ -80,9 +76,14 @@ public:
 
   RayCounts counts;
   CutLight cut_light;
-  /// By sample, where asked for (count_rays()).
+  /// By sample, where asked for (count_rays(), Stage::most_rays).
   std::vector<std::uint32_t> rays_of_sample;
   void count_rays() { counts_samples_ = true; }
+  /// Throughput below which a ray of a sample is not followed. It depends on the rays that the
+  /// sample has taken up to the generation before.
+  double threshold(std::size_t sample) const {
+    return stage_.most_rays == 0 ? stage_.adc_bailout : thresholds_[sample];
+  }
   void count_ray(std::size_t sample) {
     if (counts_samples_) ++rays_of_sample[sample];
   }
@@ -102,6 +103,7 @@ private:
   Queues<QueueKey>*now_ = queues_, *next_ = queues_ + 1;
   std::vector<std::array<LightSum, 3>> lost_; ///< by sample
   std::vector<LightSum> lost_apart_;          ///< by slot, from that of the first block apart on
+  std::vector<double> thresholds_;            ///< by sample
   bool counts_samples_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transport/shade_lanes.hpp"
 
+#include "simd/math.hpp"
 #include "simd/native.hpp"
 
 namespace abbe::transport {
@@ -119,6 +120,17 @@ struct FindGlow {
   }
 };
 
+struct Raise {
+  template <class L>
+  static void run(Values& values, std::size_t count, double exponent) {
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
+      lane::store(values.value + k,
+                  lane::pow(lane::load<Lanes>(values.value + k), Lanes(exponent)));
+    });
+  }
+};
+
+simd::Native<Raise> const raise_each;
 simd::Native<LightSurfaces> const light;
 simd::Native<FindGloss> const gloss;
 simd::Native<FindGlow> const glow;
@@ -127,6 +139,9 @@ simd::Native<FindGlow> const glow;
 
 void light_surfaces(LitQuery const& query, std::size_t count, LitSurface& out) {
   light(query, count, out);
+}
+void raise(Values& values, std::size_t count, double exponent) {
+  raise_each(values, count, exponent);
 }
 void find_gloss(ShadedLanes const& lanes, Gloss const& lit, double* out) {
   gloss(lanes, lit, out);

@@ -22,6 +22,9 @@ struct LitQuery {
 };
 void light_surfaces(LitQuery const& query, std::size_t count, LitSurface& out);
 
+/// Raises each of them to a power. @param values those not above zero lose their meaning
+void raise(Values& values, std::size_t count, double exponent);
+
 /// Light of rays, `each` lanes a ray; and of what it is multiplied by, values a lane.
 struct ShadedLanes {
   std::size_t rays, each;

@@ -11,17 +11,21 @@ template <int Lanes>
 void Shader<Lanes>::find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
                                     bool double_illuminate, RaySet rays, Lit& out) {
   if (!out.shines) return;
-  std::fill_n(out.shine.value, chunk_.count, 0.0);
-  each_of(rays, [&](std::size_t r) {
-    if (!(aim.cosine[r] > 0 || double_illuminate)) return;
-    double shine = 0;
-    if (double const along = out.surface.mirrored[r]; finish.phong != 0 && along > 0)
-      shine +=
-          finish.phong * (finish.phong_size == 1 ? along : simd::pow(along, finish.phong_size));
-    if (double const along = out.surface.half[r]; finish.specular != 0 && along > 0)
-      shine += finish.specular * simd::pow(along, 1 / finish.roughness);
-    out.shine[r] = shine;
-  });
+  std::size_t const count = chunk_.count;
+  std::fill_n(out.shine.value, count, 0.0);
+  RaySet lit = 0;
+  each_of(rays, [&](std::size_t r) { lit |= RaySet{aim.cosine[r] > 0 || double_illuminate} << r; });
+  // Where the cosine is not above zero there is none.
+  auto const add = [&](double share, Values& cosine, double exponent) {
+    if (share == 0) return;
+    RaySet shining = 0;
+    each_of(lit, [&](std::size_t r) { shining |= RaySet{cosine[r] > 0} << r; });
+    if (shining == 0) return;
+    if (exponent != 1) raise(cosine, count, exponent);
+    each_of(shining, [&](std::size_t r) { out.shine[r] += share * cosine[r]; });
+  };
+  add(finish.phong, out.surface.mirrored, finish.phong_size);
+  add(finish.specular, out.surface.half, 1 / finish.roughness);
 }
 
 template <int Lanes>

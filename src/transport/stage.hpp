@@ -76,6 +76,9 @@ struct Stage {
   /// level. What that takes away at most is summed up (CutLight).
   double adc_bailout = 1.0 / 255;
   int max_trace_level = 5;
+  /// A sample that has taken more rays than these asks more and more of the next ones
+  /// (Emitter::threshold), so that rays that part again and again come to an end; 0: it does not.
+  std::uint32_t most_rays = 0;
   double brightest = 0; ///< no path returns more: bound of the radiance, any channel
   bool has_filter_shadows = false;
   bool has_priorities = false;    ///< some medium has another priority than 0
