@@ -41,6 +41,8 @@ struct LightKind {
   auto operator<=>(LightKind const&) const = default;
   bool monochromatic() const { return wave != polychromatic; }
   std::size_t size() const { return static_cast<std::size_t>(lanes); }
+  /// Each lane is a channel, from the first to the last.
+  bool in_order() const { return !monochromatic() && (comb == no_comb || control); }
   /// Each lane's channel is listed (Rays::channels); else they follow the first one by one.
   bool listed() const { return comb != no_comb && !control && lanes > 1; }
 };

@@ -41,7 +41,7 @@ public:
         aims_(aims),
         chunk_(chunk),
         each_(chunk.each),
-        in_order_(!chunk.kind.listed() && !chunk.kind.monochromatic()),
+        in_order_(chunk.kind.in_order()),
         reflectance_(reflectance),
         lit_by_lamps_(lit_by_lamps) {}
 

@@ -33,7 +33,7 @@ RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim,
                                surface::CompiledFinish const& finish, Pigments const& pigment,
                                bool double_illuminate, RaySet rays, Lit& out) {
   rays &= aim.comes;
-  out.weakens = lamp.strengths(aim, rays, out.strength.value);
+  out.weakens = lamp.strengths(aim, rays, chunk_.count, out.strength.value);
   bool const shines = !lamp.shadowless() && (finish.phong != 0 || finish.specular != 0);
   double const behind = double_illuminate ? finish.diffuse : finish.diffuse_back;
   light_surfaces({&aim, &chunk_.direction, &chunk_.normal, pigment.opaque.value, finish.diffuse,

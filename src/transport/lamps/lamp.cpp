@@ -4,6 +4,7 @@
 #include "simd/math.hpp"
 #include "simd/native.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abbe::transport {
@@ -20,6 +21,17 @@ struct FindCosines {
 };
 simd::Native<FindCosines> const find_cosines;
 
+struct FadeAway {
+  template <class L>
+  static void run(Aim const& aim, std::size_t count, double distance, double power, double* out) {
+    lane::in_lanes<L>(count, [&]<class Lanes>(std::size_t k) {
+      Lanes const depth = lane::load<Lanes>(aim.distance.value + k) / Lanes(distance);
+      lane::store(out + k, Lanes(2.0) / (Lanes(1.0) + lane::pow(depth, Lanes(power))));
+    });
+  }
+};
+simd::Native<FadeAway> const fade_away;
+
 } // namespace
 
 void Lamp::aim(Vectors const& points, Vectors const& normals, std::size_t count, Aim& out) const {
@@ -31,12 +43,14 @@ void Lamp::aim(Vectors const& points, Vectors const& normals, std::size_t count,
     if (out.distance[k] == 0) out.comes &= ~(RaySet{1} << k);
 }
 
-bool Lamp::strengths(Aim const& aim, RaySet rays, double* out) const {
+bool Lamp::strengths(Aim const& aim, RaySet rays, std::size_t count, double* out) const {
   if (even() && !fades()) return false;
+  if (fades())
+    fade_away(aim, count, common_.fade_distance, common_.fade_power, out);
+  else
+    std::fill_n(out, count, 1.0);
   each_of(rays, [&](std::size_t r) {
-    double strength = even() ? 1 : towards(aim.direction.get(r));
-    if (fades())
-      strength *= 2 / (1 + simd::pow(aim.distance[r] / common_.fade_distance, common_.fade_power));
+    double const strength = even() ? out[r] : towards(aim.direction.get(r)) * out[r];
     out[r] = std::isfinite(strength) ? strength : 0; // negative distances have no broken powers
   });
   return true;

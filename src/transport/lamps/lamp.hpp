@@ -35,8 +35,10 @@ public:
 
   /// @param normals unit, of the surfaces as they are lit
   void aim(Vectors const& points, Vectors const& normals, std::size_t count, Aim& out) const;
-  /// What share of its light comes there. @return false: all; then nothing is written
-  bool strengths(Aim const& aim, RaySet rays, double* out) const;
+  /// What share of its light comes there, of the first `count` rays. @param out room for whole
+  /// lanes
+  /// @return false: all; then nothing is written
+  bool strengths(Aim const& aim, RaySet rays, std::size_t count, double* out) const;
 
 protected:
   /// Directions and distances. A distance that is not above zero has no shadows on it.

@@ -104,7 +104,7 @@ double strength(Lamp const& lamp, Vec3 const& point) {
   Aim aim;
   lamp.aim(places.points, places.normals, 1, aim);
   double out[chunk_width] = {};
-  return lamp.strengths(aim, 1, out) ? out[0] : 1;
+  return lamp.strengths(aim, 1, 8, out) ? out[0] : 1;
 }
 
 TEST(Lamps, FadeByTheirDistanceAndPower) {
@@ -134,7 +134,7 @@ TEST(Lamps, StrengthsOfRaysThatAreNotAskedForAreNotWritten) {
   Aim aim;
   lamp->aim(places.points, places.normals, 8, aim);
   double out[chunk_width] = {};
-  ASSERT_TRUE(lamp->strengths(aim, 0b10010, out));
+  ASSERT_TRUE(lamp->strengths(aim, 0b10010, 8, out));
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(out[k] != 0, k == 1 || k == 4) << k;
 }
 
