@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""The bars of issue 4, each measured. A bar returns rows of (what, wanted, measured, met, how)."""
+"""The bars, each measured: a bar returns rows of what was wanted, what was measured, and what that is made of."""
 import dataclasses
 import os
 import pathlib
+import re
 import statistics
+import subprocess
 
 import harness
 import scenes
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = harness.ROOT
 EXAMPLES = ROOT / 'examples'
 TWIN = pathlib.Path(__file__).resolve().parent / 'scenes/prism.pov'
 FULL_BRILLIANT = TWIN.parent / 'brilliant_full.scn'
+GLASSY = TWIN.parent / 'glassy.pov'
 
 
 @dataclasses.dataclass
@@ -28,33 +31,36 @@ class Row:
         return self.measured <= self.wanted if self.at_most else self.measured >= self.wanted
 
 
-def dispersion_price(bench, name, scene, mode, wanted, *words, size) -> Row:
-    """What a mode of dispersion costs beside none at the same number of bands."""
-    taken = bench.race({'none': bench.render(scene, '--dispersion', 'none', *words, size=size),
-                        mode: bench.render(scene, '--dispersion', mode, *words, size=size)})
-    none, with_it = (bench.net('abbe', taken[key]) for key in ('none', mode))
-    return Row(f'{name}, 8 bands {mode} against none', wanted, with_it / none, True, 'times',
-               f'{size[0]}x{size[1]}: {with_it:.3f} s, {taken[mode].rays:.0f} rays; none {none:.3f} s, '
-               f'{taken["none"].rays:.0f} rays')
+def ns_a_ray(bench, taken) -> float:
+    return 1e9 * bench.net('abbe', taken) / taken.rays
 
 
-def prism_detail(bench) -> list:
+def glassy(bench) -> list:
+    size = (160, 120) if bench.quick else (320, 240)
+    rows = []
+    for name, words in (('perspective', ()), ('orthographic', ('-D', 'Ortho=1'))):
+        taken = bench.race({'abbe': bench.render(GLASSY, *words, size=size)})['abbe']
+        rows.append(Row(f'glassy scene, {name}', 60, ns_a_ray(bench, taken), True, 'ns a ray',
+                        f'{size[0]}x{size[1]}: {bench.net("abbe", taken):.3f} s, {taken.rays:.0f} rays'))
+    return rows
+
+
+MODES = 'hero 4', 'clusters 4 degrade', 'adaptive tolerance 0.5', 'stochastic fanout 2', 'stochastic'
+
+
+def modes(bench) -> list:
+    """What a ray of each mode of dispersion takes, in turn with the deterministic one."""
     size = (180, 113) if bench.quick else (360, 226)
-    scene = EXAMPLES / 'prism_detail.scn'
-    return [dispersion_price(bench, 'prism_detail', scene, 'deterministic', 2.0, size=size),
-            dispersion_price(bench, 'prism_detail', scene, 'stochastic', 2.2, size=size)]
+    taken = bench.race({mode: bench.render(EXAMPLES / 'prism_detail.scn', '--bands', 8, '--dispersion', mode, size=size)
+                        for mode in ('deterministic', *MODES)})
+    each = {mode: ns_a_ray(bench, of) for mode, of in taken.items()}
 
+    def how(mode: str) -> str:
+        return f'{size[0]}x{size[1]}: {bench.net("abbe", taken[mode]):.3f} s, {taken[mode].rays:.0f} rays'
 
-def prism(bench) -> list:
-    size = (180, 113) if bench.quick else (640, 480)
-    return [dispersion_price(bench, 'whole prism.scn', EXAMPLES / 'prism.scn', 'deterministic', 1.5, '--bands', 8,
-                             size=size)]
-
-
-def brilliant(bench) -> list:
-    size = (80, 60) if bench.quick else (160, 120)
-    return [dispersion_price(bench, 'full-screen brilliant', FULL_BRILLIANT, 'deterministic', 2.5, '--bands', 8,
-                             size=size)]
+    return [Row('prism_detail, 8 bands, deterministic', 45, each['deterministic'], True, 'ns a ray', how('deterministic')),
+            *(Row(f'the same, {mode}, a ray', 1.6, each[mode] / each['deterministic'], True, 'times deterministic',
+                  f'{each[mode]:.0f} ns; {how(mode)}') for mode in MODES)]
 
 
 def against_povray(bench, name, scene, wanted, abbe_words, povray_words, size, agreement=True) -> Row:
@@ -70,18 +76,39 @@ def against_povray(bench, name, scene, wanted, abbe_words, povray_words, size, a
                f'pictures {psnr} apart')
 
 
-def plain(bench) -> list:
-    size = (320, 240) if bench.quick else (800, 600)
-    return [against_povray(bench, 'prism.scn without dispersion against POV-Ray', TWIN, 10, (), (), size),
-            against_povray(bench, 'csg.scn against POV-Ray', EXAMPLES / 'csg.scn', 10, (), (), size)]
-
-
 def samples(bench) -> list:
     size = (160, 120) if bench.quick else (320, 240)
-    return [against_povray(bench, f'prism, {count} bands against dispersion_samples {count}', TWIN, wanted,
+    return [against_povray(bench, f'prism, {count} bands against dispersion_samples {count}', TWIN, 9,
                            ('-D', f'Samples={count}', '--bands', count), (f'Declare=Samples={count}',), size,
                            agreement=False)
-            for count, wanted in ((8, 25), (16, 40), (45, 60))]
+            for count in (8, 16, 45)]
+
+
+def embree(bench) -> list:
+    """The program is built where libembree-dev is: ninja bench_hierarchy."""
+    program = pathlib.Path(bench.abbe).parent / 'tests/bench/bench_hierarchy'
+    if not program.exists():
+        raise harness.Failed(f'there is no {program.name}: ninja -C {program.parents[2].name} bench_hierarchy')
+    text = subprocess.run([program, 'waves'], capture_output=True, text=True, check=True).stdout
+    found = re.search(r'Embree: (.*): abbe takes ([\d.]+) times that', text)
+    if not found:
+        raise harness.Failed('bench_hierarchy was built without Embree (apt-get install libembree-dev)')
+    ours = re.search(r'camera rays .*? (\d+) ns, .*? shadow rays .*? (\d+) ns; mean (\d+) ns', text)
+    return [Row("camera and shadow rays against 10^6 triangles, beside Embree's", 2, float(found.group(2)), True, 'times',
+                f'abbe: camera {ours.group(1)} ns, shadow {ours.group(2)} ns, mean {ours.group(3)}; Embree: {found.group(1)}')]
+
+
+def smooth(bench) -> list:
+    side = 101 if bench.quick else 317
+    taken = {}
+    for name in ('flat', 'smoothed'):
+        scene = bench.folder / f'{name}.pov'
+        scenes.mesh(scene, side, smooth=name == 'smoothed')
+        taken.update({(name, size): bench.render(scene, size=size) for size in ((1, 1), (640, 480))})
+    taken = bench.race(taken)
+    flat, smoothed = (max(1e-4, taken[name, (640, 480)].cpu - taken[name, (1, 1)].cpu) for name in ('flat', 'smoothed'))
+    return [Row('smoothed normals over flat', 1.1, smoothed / flat, True, 'times',
+                f'{2 * (side - 1) ** 2} triangles, 640x480 without reading: flat {flat:.3f} s, smoothed {smoothed:.3f} s')]
 
 
 def large(bench) -> list:
@@ -141,5 +168,5 @@ def start(bench) -> list:
                 f'{1e3 * taken["povray"].wall:.0f} and {1e3 * taken["povray"].cpu:.0f}')]
 
 
-BARS = {'prism_detail': prism_detail, 'prism': prism, 'brilliant': brilliant, 'plain': plain, 'samples': samples,
-        'large': large, 'loading': loading, 'threads': threads, 'start': start}
+BARS = {'glassy': glassy, 'modes': modes, 'samples': samples, 'embree': embree, 'smooth': smooth, 'threads': threads,
+        'start': start, 'loading': loading, 'large': large}

@@ -5,14 +5,19 @@ CPU seconds (user and system, of one thread) are what ratios are made of: a busy
 Programs that are compared run in turn, so that both meet the same machine; figures are medians.
 """
 import dataclasses
+import datetime
 import json
 import os
 import pathlib
+import platform
 import re
 import shutil
 import statistics
 import subprocess
+import sys
 import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Failed(Exception):
@@ -39,7 +44,7 @@ class Bench:
 
     def render(self, scene, *words, size=(320, 240), threads=1) -> list:
         return [self.abbe, 'render', str(scene), '-W', size[0], '-H', size[1], '-j', threads, '--aa', 'off',
-                '-o', self.folder / 'abbe.png', *words]
+                '--allow-read', ROOT / 'examples', '-o', self.folder / 'abbe.png', *words]
 
     def povray(self, scene, *words, size=(320, 240), threads=1) -> list:
         return ['povray', f'+I{scene}', f'+L{pathlib.Path(scene).parent}', f'+O{self.folder}/povray.png', f'+W{size[0]}', f'+H{size[1]}',
@@ -104,3 +109,54 @@ class Bench:
 
 def have(tool: str) -> bool:
     return shutil.which(tool) is not None
+
+
+def first_line(command: list) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return ((done.stdout + done.stderr).strip().splitlines() or [''])[0]
+
+
+def in_checkout(text: str) -> str:
+    """With paths counted from the checkout."""
+    return text.replace(f'{ROOT}/', '')
+
+
+def about(program: str, **settings) -> dict:
+    """What was run, where and when; `settings` are what figures of one record have in common."""
+    cpu = re.search(r'model name\s*: (.*)', pathlib.Path('/proc/cpuinfo').read_text())
+    povray = subprocess.run(['povray', '--version'], capture_output=True, text=True, check=False)
+    version = re.search(r'POV-Ray (\S+)', povray.stdout + povray.stderr)
+    # What the program is made of: figures that are written meanwhile do not count.
+    clean = subprocess.run(['git', '-C', str(ROOT), 'diff', '--quiet', 'HEAD', '--', 'src', 'grammar', 'stdlib', 'CMakeLists.txt'],
+                           capture_output=True, check=False).returncode == 0
+    return {'command': in_checkout(' '.join([f'tests/bench/{program}', *sys.argv[1:]])),
+            'date': datetime.date.today().isoformat(),
+            'commit': first_line(['git', '-C', str(ROOT), 'describe', '--always']) + ('' if clean else '-dirty'),
+            'povray': f'POV-Ray {version.group(1) if version else "?"}',
+            'machine': f'{cpu.group(1) if cpu else platform.machine()}, {os.cpu_count()} threads',
+            'cores': os.cpu_count(), 'load': round(os.getloadavg()[0], 1), **settings}
+
+
+# Figures that differ in any of these do not belong in one record.
+TOGETHER = 'commit', 'machine', 'runs', 'quick', 'width', 'height', 'limit'
+
+
+def kept(path: pathlib.Path | None, facts: dict, empty: dict, anew: bool = False) -> dict:
+    """The record of a run that was interrupted, which goes on; or a new one.
+    @param anew also in place of one of another program, machine or size
+    @throw Failed there is such a one"""
+    if path is None or not path.exists():
+        return {'about': facts, **empty}
+    record = json.loads(path.read_text(encoding='utf-8'))
+    other = [f'{name} {record["about"].get(name)}, not {facts[name]}' for name in TOGETHER
+             if name in facts and record['about'].get(name) != facts[name]]
+    if other and anew:
+        return {'about': facts, **empty}
+    if other:
+        raise Failed(f'{path} holds figures of {"; ".join(other)}: give another file, or remove it')
+    return record
+
+
+def write_json(path: pathlib.Path, record: dict) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(record, indent=1) + '\n', encoding='utf-8')

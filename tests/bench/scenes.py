@@ -41,8 +41,8 @@ def sphere_loop(path: pathlib.Path, count: int) -> None:
 ''', encoding='utf-8')
 
 
-def mesh(path: pathlib.Path, side: int, digits: int = 6) -> None:
-    """A height field as mesh2: side x side vertices, 2 (side - 1)^2 triangles."""
+def mesh(path: pathlib.Path, side: int, digits: int = 6, smooth: bool = False) -> None:
+    """A height field as mesh2: side x side vertices, 2 (side - 1)^2 triangles; smooth: with the field's normals."""
     step = 10 / side
     with path.open('w', encoding='utf-8') as out:
         out.write(HEAD + LIGHT + 'camera { location <5, 8, -6> look_at <5, 0, 4> angle 60 '
@@ -52,6 +52,13 @@ def mesh(path: pathlib.Path, side: int, digits: int = 6) -> None:
             out.write(',\n' * (i > 0) + ',\n'.join(
                 f'    <{i * step:.{digits}f}, {math.sin(i * step * 5) * math.cos(j * step * 3):.{digits}f}, '
                 f'{j * step:.{digits}f}>' for j in range(side)))
+        if smooth:
+            out.write(f'\n  }}\n  normal_vectors {{\n    {side * side},\n')
+            for i in range(side):
+                x = i * step * 5
+                out.write(',\n' * (i > 0) + ',\n'.join(
+                    f'    <{-5 * math.cos(x) * math.cos(j * step * 3):.{digits}f}, 1, '
+                    f'{3 * math.sin(x) * math.sin(j * step * 3):.{digits}f}>' for j in range(side)))
         out.write(f'\n  }}\n  face_indices {{\n    {2 * (side - 1) ** 2},\n')
         for i in range(side - 1):
             a, b = i * side, i * side + side
