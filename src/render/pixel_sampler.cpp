@@ -70,6 +70,7 @@ void PixelSampler::take(Spot const* spots, std::size_t count, Sampled* out) {
 }
 
 RandomKey PixelSampler::key_of(Pixel const& pixel) const {
+  if (stage_.combs.empty() && options_.anti_aliasing.jitter == 0) return frame_key_; // nothing asks
   return frame_key_.child(static_cast<std::uint64_t>(pixel.y))
       .child(static_cast<std::uint64_t>(pixel.x));
 }

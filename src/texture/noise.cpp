@@ -48,6 +48,11 @@ void find_corners(NoiseTables const& tables, Vec3 const& point, Corners& out) {
   out.offset = {x.fraction, y.fraction, z.fraction};
 }
 
+/// Of the corners, as find_corners() orders them, behind a 0.
+alignas(32) constexpr double corner_places[8][4] = {{0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 1, 0},
+                                                    {0, 0, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1},
+                                                    {0, 1, 1, 0}, {0, 1, 1, 1}};
+
 /// One value or three: at each corner 0.5 g0 + g . offset, times the corner's share. The four
 /// products of a corner stand side by side, and each is summed over the corners first.
 template <int Values>
@@ -57,12 +62,13 @@ struct SumCorners {
     static_assert(lane::width<L> == 4);
     Corners corners;
     find_corners(tables, point, corners);
+    double const first[4] = {0.5, corners.offset.x, corners.offset.y, corners.offset.z};
+    L const from_first = lane::load<L>(first);
     L sum[Values];
     for (L& value : sum) value = L(0.0);
     for (int corner = 0; corner < 8; ++corner) {
-      Vec3 const d = corners.offset - Vec3(corner >> 2, corner >> 1 & 1, corner & 1);
-      double const way[4] = {0.5, d.x, d.y, d.z};
-      L const share = L(corners.weight[corner]) * lane::load<L>(way);
+      L const way = from_first - lane::load<L>(corner_places[corner]);
+      L const share = L(corners.weight[corner]) * way;
       double const* const g = &tables.gradient[corners.row[corner]];
       for (int value = 0; value < Values; ++value)
         sum[value] = sum[value] + share * lane::load<L>(g + 4 * value);

@@ -22,25 +22,38 @@ Shadows::Shadows(Stage const& stage, Arena& arena, geometry::Scratch& scratch, S
 void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet lit,
                   double const* light) {
   Rays& to = queues_.of({chunk.kind, lamp}, chunk.kind, fields_);
-  std::size_t k = to.add(static_cast<std::size_t>(std::popcount(lit)));
-  std::size_t const n = chunk.each;
-  each_of(lit, [&](std::size_t r) {
-    Vec3 const direction = aim.direction.get(r);
-    bool const through = glm::dot(chunk.geometric.get(r), direction) < 0;
-    to.origin.set(k, chunk.point.get(r));
-    to.origin_error.set(k, chunk.point_error.get(r));
-    to.direction.set(k, direction);
+  std::size_t const count = static_cast<std::size_t>(std::popcount(lit)), n = chunk.each;
+  std::size_t const first = to.add(count);
+  std::uint8_t ray[chunk_width];
+  std::size_t last = 0;
+  each_of(lit, [&](std::size_t r) { ray[last++] = static_cast<std::uint8_t>(r); });
+  auto const copy = [&](geometry::VectorArrays const& out, Vectors const& in) {
+    for (std::size_t i = 0; i < count; ++i) {
+      out.x[first + i] = in.x[ray[i]];
+      out.y[first + i] = in.y[ray[i]];
+      out.z[first + i] = in.z[ray[i]];
+    }
+  };
+  copy(to.origin, chunk.point);
+  copy(to.origin_error, chunk.point_error);
+  copy(to.direction, aim.direction);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t const r = ray[i], k = first + i;
+    bool const through = glm::dot(chunk.geometric.get(r), aim.direction.get(r)) < 0;
     to.start[k] = chunk.start_of(r, through);
     to.stack[k] = through ? chunk.after[r] : chunk.before[r];
     to.slot[k] = chunk.slot[r];
     to.channel[k] = chunk.channels[r * n];
     to.rest[k] = aim.distance[r];
-    std::copy_n(light + r * n, n, to.light_of(k));
-    if (chunk.kind.listed()) std::copy_n(chunk.channels + r * n, n, to.channels.data() + k * n);
-    if (fields_.travelled) to.travelled[k] = 0;
-    if (fields_.path) to.path[k] = chunk.path[r];
-    ++k;
-  });
+  }
+  double* own = to.light_of(first);
+  for (std::size_t i = 0; i < count; ++i, own += n)
+    for (std::size_t c = 0; c < n; ++c) own[c] = light[ray[i] * n + c];
+  if (chunk.kind.listed())
+    for (std::size_t i = 0; i < count; ++i)
+      std::copy_n(chunk.channels + ray[i] * n, n, to.channels.data() + (first + i) * n);
+  for (std::size_t i = 0; fields_.travelled && i < count; ++i) to.travelled[first + i] = 0;
+  for (std::size_t i = 0; fields_.path && i < count; ++i) to.path[first + i] = chunk.path[ray[i]];
 }
 
 void Shadows::add_to_film(Rays const& rays, std::size_t k) {
