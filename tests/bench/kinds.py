@@ -23,7 +23,7 @@ KINDS = {
                     r'default_parameters|Bands::Bands|ColourBasis|uplift|DataLibrary',
     'textures': r'surface::|texture::|pigments_at|fmod|find_sky|::escape',
     'lamps and shadows': r'transport::Shader|Shadows::|[Gg]loss|[Gg]low|LightSurfaces|light_surfaces|transport::shade|'
-                         r'Lamp::|Aim|FindCosines|simd::pow|occluded',
+                         r'Lamp::|Aim|FindCosines|FadeAway|transport::Raise|simd::pow|occluded',
     'Fresnel, Snell, media': r'transport::Refract|transport::Face|transport::Absorb|refract_|face_rays|find_indices|split_lanes|find_shares|'
                              r'face_of|Absorption::|Fade::|Way::|drop_displaced|MediaStacks::|::travel|simd::exp|fresnel',
     'wavelengths, film': r'WaveTables|SampleFilm|SampleKey|BandHats|rgb_density|xyz_density|GlassFormula|index_unchecked|Bands::index_of|CombLight|Captures|'

@@ -150,6 +150,30 @@ TEST(Emitter, GenerationsTakeTurns) {
   EXPECT_EQ(work.emitter->turn().count(), 1);
 }
 
+TEST(Emitter, ASampleThatHasTakenVeryManyRaysAsksMoreOfTheNext) {
+  Work work;
+  work.stage.adc_bailout = 0x1p-20;
+  work.stage.most_rays = 16;
+  work.emitter->start_samples(samples);
+  auto const take = [&](std::size_t sample, int rays) {
+    for (int k = 0; k < rays; ++k) work.emitter->count_ray(sample);
+  };
+  take(1, 20);
+  take(2, 16);
+  EXPECT_EQ(work.emitter->threshold(1), 0x1p-20); // from the next generation on
+  work.emitter->turn();
+  EXPECT_NEAR(work.emitter->threshold(1), 0x1p-16, 1e-18); // twice for each sixteenth more
+  EXPECT_EQ(work.emitter->threshold(2), 0x1p-20);
+  work.emitter->send(work.chunk, work.departing({0, 0x1p-17, 0x1p-17}));
+  ASSERT_EQ(work.next().count(), 1);
+  EXPECT_EQ(work.next().slot[0], work.chunk.slot[2]);
+  take(1, 1000);
+  work.emitter->turn();
+  EXPECT_EQ(work.emitter->threshold(1), 1.0 / 255); // at most
+  work.emitter->start_samples(samples);
+  EXPECT_EQ(work.emitter->threshold(1), 0x1p-20);
+}
+
 TEST(Emitter, LossesOfLightApartAreBySlot) {
   Work work;
   auto const first = work.film->first(work.film->add_block(2));
