@@ -47,16 +47,72 @@ std::uint32_t StartOrder::run_of(RayStart const& start) {
 void StartOrder::sort(RayStart const* starts, std::size_t count) {
   runs_.clear();
   ends_.clear();
+  stretches_.clear();
   places_.resize(count);
-  run_.resize(count);
-  table_.assign(std::bit_ceil(2 * count + 2), 0);
   for (std::size_t k = 0; k < count; ++k) {
-    run_[k] = k > 0 && starts[k] == starts[k - 1] ? run_[k - 1] : run_of(starts[k]);
-    ++ends_[run_[k]];
+    if (k == 0 || !(starts[k] == starts[k - 1])) stretches_.emplace_back();
+    stretches_.back().end = static_cast<std::uint32_t>(k + 1);
+  }
+  table_.assign(std::bit_ceil(2 * stretches_.size() + 2), 0);
+  std::uint32_t first = 0;
+  for (Stretch& stretch : stretches_) {
+    stretch.run = run_of(starts[first]);
+    ends_[stretch.run] += stretch.end - first;
+    first = stretch.end;
   }
   std::uint32_t at = 0;
   for (std::uint32_t& end : ends_) at += std::exchange(end, at);
-  for (std::size_t k = 0; k < count; ++k) places_[ends_[run_[k]]++] = static_cast<std::uint32_t>(k);
+  first = 0;
+  for (Stretch const& stretch : stretches_) {
+    std::uint32_t& end = ends_[stretch.run];
+    for (; first < stretch.end; ++first) places_[end++] = first;
+  }
+}
+
+void Hits::take_group(std::size_t k) {
+  group[k] = groups.count() - 1;
+  HitGroup const& own = groups[group[k]];
+  if (own.crossings.empty()) {
+    hit[k] = {};
+    return;
+  }
+  auto const entered = std::find_if(own.crossings.begin(), own.crossings.end(),
+                                    [](SurfaceCrossing const& c) { return c.entering; });
+  SurfaceCrossing const& c = entered != own.crossings.end() ? *entered : own.crossings.front();
+  hit[k] = {RayHit::Kind::Group, c.entering, c.toggles, c.entering, c.solid, c.primitive, c.face};
+  if (own.crossings.size() == 1 && own.members.size() == 1) {
+    hit[k].kind = RayHit::Kind::Single;
+    hit[k].was_entering = own.members.front().was_entering;
+  }
+  t[k] = own.t;
+  error[k] = own.error;
+  point.set(k, own.point);
+  point_error.set(k, own.point_error);
+}
+
+void World::Impl::find_alone(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                             Scratch& scratch, Hits& hits, std::size_t k) const {
+  Alone found;
+  Kind const kind = first_single(ray, from, mask, t_max, scratch, found);
+  SurfaceCrossing const& c = found.crossing;
+  // What is in contact with a surface that is left is part of a group.
+  bool const touches = kind == Kind::Single && !c.entering && c.toggles && contacts.any()
+                       && contacts.reach(c.solid) > 0;
+  if (kind == Kind::Nothing) {
+    hits.hit[k] = {};
+  } else if (kind == Kind::Several || touches) {
+    closest_group(ray, from, mask, t_max, scratch, hits.groups.add());
+    hits.take_group(k);
+  } else {
+    hits.hit[k] = {RayHit::Kind::Single, c.entering, c.toggles, found.was_entering, c.solid,
+                   c.primitive,          c.face};
+    hits.t[k] = c.t;
+    hits.error[k] = found.error;
+    Vec3 point, point_error;
+    set_point(ray.origin, ray.direction, c.t, found.error, point, point_error);
+    hits.point.set(k, point);
+    hits.point_error.set(k, point_error);
+  }
 }
 
 namespace {
@@ -82,11 +138,9 @@ struct Packet {
                      std::size_t count) {
     place = places;
     lines.count = count;
-    for (std::size_t i = 0; i < count; ++i) {
-      lines.origin.set(i, rays.origin.get(place[i]));
-      lines.direction.set(i, rays.direction.get(place[i]));
-      lines.origin_error.set(i, rays.origin_error.get(place[i]));
-    }
+    lines.origin.take(rays.origin, place, count);
+    lines.direction.take(rays.direction, place, count);
+    lines.origin_error.take(rays.origin_error, place, count);
     lines.fill();
     if (t_max == nullptr) return nullptr;
     for (std::size_t i = 0; i < count; ++i) until[i] = t_max[place[i]];
@@ -122,98 +176,20 @@ void each_packet(RayLines const& rays, double const* t_max, Scratch& scratch, Wo
   }
 }
 
-/// The crossing of a group whose surface is shown.
-SurfaceCrossing const& shown(HitGroup const& group) {
-  auto const entered = std::find_if(group.crossings.begin(), group.crossings.end(),
-                                    [](SurfaceCrossing const& c) { return c.entering; });
-  return entered != group.crossings.end() ? *entered : group.crossings.front();
-}
-
-/// The last of the groups is what ray k meets, unless it is empty. One crossing of one primitive is
-/// no group, however it was found.
-void set_group(Hits& hits, std::size_t k) {
-  hits.group[k] = hits.groups.count() - 1;
-  HitGroup const& group = hits.groups[hits.group[k]];
-  if (group.crossings.empty()) {
-    hits.hit[k] = {};
-    return;
-  }
-  SurfaceCrossing const& c = shown(group);
-  hits.hit[k] = {RayHit::Kind::Group, c.entering, c.toggles, c.entering, c.solid,
-                 c.primitive,         c.face};
-  if (group.crossings.size() == 1 && group.members.size() == 1) {
-    hits.hit[k].kind = RayHit::Kind::Single;
-    hits.hit[k].was_entering = group.members.front().was_entering;
-  }
-  hits.t[k] = group.t;
-  hits.error[k] = group.error;
-  hits.point.set(k, group.point);
-  hits.point_error.set(k, group.point_error);
-}
-
-void set_single(Hits& hits, std::size_t k, World::Impl::Alone const& found, Ray const& ray) {
-  SurfaceCrossing const& c = found.crossing;
-  hits.hit[k] = {RayHit::Kind::Single, c.entering, c.toggles, found.was_entering, c.solid,
-                 c.primitive,          c.face};
-  hits.t[k] = c.t;
-  hits.error[k] = found.error;
-  Vec3 point, point_error;
-  set_point(ray.origin, ray.direction, c.t, found.error, point, point_error);
-  hits.point.set(k, point);
-  hits.point_error.set(k, point_error);
-}
-
 } // namespace
 
 void World::intersect(RayLines const& rays, std::uint8_t mask, double const* t_max,
                       Scratch& scratch, Hits& hits) const {
   hits.resize(rays.count);
-  auto const work = [&](Packet& packet, Departure const* from, double const* until) {
-    FanHits& found = scratch.found;
-    closest_fan(packet.lines, from, mask, until, scratch, found);
-    for (std::size_t i = 0; i < packet.lines.count; ++i) {
-      std::uint32_t const k = packet.place[i];
-      FanHit const& own = found.hit[i];
-      if (own.kind == FanHit::Kind::Nothing) {
-        hits.hit[k] = {};
-      } else if (own.kind == FanHit::Kind::Single) {
-        hits.hit[k] = {RayHit::Kind::Single, own.entering, own.toggles, own.was_entering, own.solid,
-                       own.primitive,        own.face};
-        hits.t[k] = found.t[i];
-        hits.error[k] = found.error[i];
-        hits.point.set(k, found.point.get(i));
-        hits.point_error.set(k, found.point_error.get(i));
-      } else {
-        double const end = until == nullptr ? everywhere : until[i];
-        HitGroup& group = hits.groups.add();
-        if (own.kind == FanHit::Kind::Pair)
-          closest_pair(packet.lines.get(i), found.pair[i], mask, end, scratch, group);
-        else
-          closest_group(packet.lines.get(i), from, mask, end, scratch, group);
-        set_group(hits, k);
-      }
-    }
-  };
-  auto const alone = [&](std::uint32_t k, Departure const* from) {
-    Ray const ray = rays.get(k);
-    double const end = t_max == nullptr ? everywhere : t_max[k];
-    Impl::Alone found;
-    Impl::Kind kind = impl_->first_single(ray, from, mask, end, scratch, found);
-    // What is in contact with a surface that is left is part of a group.
-    bool const leaves = !found.crossing.entering && found.crossing.toggles;
-    if (kind == Impl::Kind::Single && leaves && impl_->contacts.any()
-        && impl_->contacts.reach(found.crossing.solid) > 0)
-      kind = Impl::Kind::Several;
-    if (kind == Impl::Kind::Nothing) {
-      hits.hit[k] = {};
-    } else if (kind == Impl::Kind::Single) {
-      set_single(hits, k, found, ray);
-    } else {
-      closest_group(ray, from, mask, end, scratch, hits.groups.add());
-      set_group(hits, k);
-    }
-  };
-  each_packet(rays, t_max, scratch, work, alone);
+  each_packet(
+      rays, t_max, scratch,
+      [&](Packet& packet, Departure const* from, double const* until) {
+        impl_->closest_fan(packet.lines, packet.place, from, mask, until, scratch, hits);
+      },
+      [&](std::uint32_t k, Departure const* from) {
+        double const end = t_max == nullptr ? everywhere : t_max[k];
+        impl_->find_alone(rays.get(k), from, mask, end, scratch, hits, k);
+      });
 }
 
 void World::occluded(RayLines const& rays, std::uint8_t mask, double const* t_max, Scratch& scratch,
@@ -222,7 +198,7 @@ void World::occluded(RayLines const& rays, std::uint8_t mask, double const* t_ma
       rays, t_max, scratch,
       [&](Packet& packet, Departure const* from, double const* until) {
         bool is[fan_width], clear[fan_width];
-        occluded_fan(packet.lines, from, mask, until, scratch, is, clear);
+        impl_->occluded_fan(packet.lines, from, mask, until, scratch, is, clear);
         for (std::size_t i = 0; i < packet.lines.count; ++i) {
           if (!is[i] && !clear[i])
             is[i] = occluded(packet.lines.get(i), from, mask, until[i], scratch);

@@ -83,6 +83,7 @@ struct RayHit {
   SolidId solid = 0;
   PrimitiveId primitive = 0;
   std::uint32_t face = 0;
+  bool operator==(RayHit const&) const = default;
 };
 
 /// What the rays of a batch meet first. Of a Group, `hit` is the crossing whose surface is shown:
@@ -96,6 +97,8 @@ struct Hits {
 
   /// For so many rays.
   void resize(std::size_t count);
+  /// The last of the groups is what ray k meets, or nothing when it is empty.
+  void take_group(std::size_t k);
 
 private:
   std::vector<double> vectors_;
@@ -112,7 +115,11 @@ public:
 private:
   std::uint32_t run_of(RayStart const& start);
   std::vector<std::uint32_t> places_, ends_;
-  std::vector<std::uint32_t> run_, table_;
+  std::vector<std::uint32_t> table_; ///< numbers of runs, by what is hashed of their starts
+  struct Stretch {
+    std::uint32_t end, run;
+  };
+  std::vector<Stretch> stretches_; ///< neighbours of one run
   std::vector<RayStart> runs_;
 };
 

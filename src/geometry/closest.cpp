@@ -122,25 +122,25 @@ bool World::closest(Ray const& ray, Departure const* from, std::uint8_t mask, do
   return true;
 }
 
-bool World::closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                          Scratch& scratch, HitGroup& out) const {
-  impl_->prepare(scratch);
-  if (!impl_->first_group(ray, from, mask, t_max, scratch, out)) return false;
-  if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
+bool World::Impl::closest_group(Ray const& ray, Departure const* from, std::uint8_t mask,
+                                double t_max, Scratch& scratch, HitGroup& out) const {
+  prepare(scratch);
+  if (!first_group(ray, from, mask, t_max, scratch, out)) return false;
+  if (contacts.any()) join_contact(ray, mask, t_max, scratch, out);
   return true;
 }
 
-bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                     Scratch& scratch) const {
-  impl_->prepare(scratch);
+bool World::Impl::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                           Scratch& scratch) const {
+  prepare(scratch);
   auto const blocks = [&](SolidId id, TracedSolid const& solid) {
     if (solid.ends() != nullptr) {
       FirstEnd<double> end;
-      return find_end(solid, impl_->primitives, ray, from, t_max, end)
+      return find_end(solid, primitives, ray, from, t_max, end)
              && end.t + group_margin * end.error < t_max;
     }
     bool found = false;
-    solid.passages(impl_->query(id, ray, from, scratch, t_max), false,
+    solid.passages(query(id, ray, from, scratch, t_max), false,
                    [&](TracedSolid::Passage const& passage) {
                      if (passage.crossing.t + passage.error >= t_max) return false;
                      found = passage.visible;
@@ -150,7 +150,7 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   };
   bool found = false;
   auto const ask = [&](SolidId id) {
-    TracedSolid const& solid = impl_->solids[id];
+    TracedSolid const& solid = solids[id];
     if ((solid.mask() & mask) == 0) return true;
     found = blocks(id, solid);
     if (found) scratch.last_occluder = id;
@@ -158,11 +158,15 @@ bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, d
   };
   // Neighbouring rays meet the same.
   SolidId const last = scratch.last_occluder;
-  if (last < impl_->solids.size() && !ask(last)) return true;
-  impl_->each_solid<NodeProbe>(ray, mask, 0.0, t_max,
-                               [&](SolidId id) { return id == last || ask(id); });
+  if (last < solids.size() && !ask(last)) return true;
+  each_solid<NodeProbe>(ray, mask, 0.0, t_max, [&](SolidId id) { return id == last || ask(id); });
   if (!found) scratch.last_occluder = no_solid;
   return found;
+}
+
+bool World::occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                     Scratch& scratch) const {
+  return impl_->occluded(ray, from, mask, t_max, scratch);
 }
 
 } // namespace abbe::geometry

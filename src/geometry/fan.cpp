@@ -21,92 +21,57 @@ void FanLines::fill() {
   for (std::size_t k = count; k % 4 != 0; ++k) copy(k, *this, count - 1);
 }
 
-void FanHits::copy(std::size_t to, FanHits const& from, std::size_t k) {
-  hit[to] = from.hit[k];
-  if (hit[to].kind == FanHit::Kind::Pair) pair[to] = from.pair[k];
-  t[to] = from.t[k];
-  error[to] = from.error[k];
-  point.set(to, from.point.get(k));
-  point_error.set(to, from.point_error.get(k));
-}
-
-void FanHits::write(std::size_t k, HitGroup& out) const {
-  out.clear();
-  out.t = t[k];
-  out.error = error[k];
-  out.point = point.get(k);
-  out.point_error = point_error.get(k);
-  FanHit const& h = hit[k];
-  out.crossings.push_back({h.solid, h.primitive, h.face, t[k], h.entering, h.toggles});
-  out.members.push_back({h.primitive, h.face, h.was_entering});
-}
-
 namespace {
 
 /// set_point() for all rays; without meaning for those that met nothing.
 struct FindPoints {
   template <class L>
-  static void run(FanLines const& rays, FanNearest const& nearest, FanHits& out) {
+  static void run(FanLines const& rays, FanNearest const& nearest, FanVectors& point,
+                  FanVectors& point_error) {
     lane::in_lanes<L>(rays.count, [&]<class Lanes>(std::size_t at) {
       auto const t = lane::load<Lanes>(nearest.first.t + at),
                  error = lane::load<Lanes>(nearest.first.error + at);
-      lane::store(out.t + at, t);
-      lane::store(out.error + at, error);
-      auto const along = [&](double const* origin, double const* direction, double* point,
-                             double* point_error) {
+      auto const along = [&](double const* origin, double const* direction, double* place,
+                             double* place_error) {
         auto const d = lane::load<Lanes>(direction + at), step = t * d;
         auto const p = lane::load<Lanes>(origin + at) + step;
-        lane::store(point + at, p);
-        lane::store(point_error + at,
+        lane::store(place + at, p);
+        lane::store(place_error + at,
                     lane::abs(d) * error
                         + Lanes(gamma_bound(2)) * (lane::abs(step) + lane::abs(p)));
       };
-      along(rays.origin.x, rays.direction.x, out.point.x, out.point_error.x);
-      along(rays.origin.y, rays.direction.y, out.point.y, out.point_error.y);
-      along(rays.origin.z, rays.direction.z, out.point.z, out.point_error.z);
+      along(rays.origin.x, rays.direction.x, point.x, point_error.x);
+      along(rays.origin.y, rays.direction.y, point.y, point_error.y);
+      along(rays.origin.z, rays.direction.z, point.z, point_error.z);
     });
   }
 };
 
-SurfaceCrossing crossing_of(FanProposal const& proposal, FanNearest::Crossing const& found,
-                            std::size_t k) {
-  bool const entering = (found.entering[k] != 0) != proposal.inverse;
-  return {proposal.solid, proposal.primitive, static_cast<std::uint32_t>(found.face[k]),
-          found.t[k],     entering,           proposal.toggles};
+FanProposal const& proposal_of(Scratch const& scratch, FanNearest::Crossing const& found,
+                               std::size_t k) {
+  return scratch.proposals[static_cast<std::size_t>(found.proposal[k])];
 }
-
-/// What is known of the surfaces.
-void write_hits(std::size_t count, FanNearest const& nearest,
-                std::vector<FanProposal> const& proposals, FanHits& out) {
-  auto const proposal_of = [&](FanNearest::Crossing const& found, std::size_t k) -> auto const& {
-    return proposals[static_cast<std::size_t>(found.proposal[k])];
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    FanHit& hit = out.hit[k];
-    hit = {};
-    if (!nearest.found(k)) continue;
-    FanProposal const& proposal = proposal_of(nearest.first, k);
-    hit.kind = FanHit::Kind::Unclear;
-    if (!proposal.alone) continue;
-    if (nearest.single(k)) {
-      hit.kind = FanHit::Kind::Single;
-      hit.was_entering = nearest.first.entering[k] != 0;
-      hit.entering = hit.was_entering != proposal.inverse;
-      hit.toggles = proposal.toggles;
-      hit.solid = proposal.solid;
-      hit.primitive = proposal.primitive;
-      hit.face = static_cast<std::uint32_t>(nearest.first.face[k]);
-    } else if (nearest.pair(k) && proposal_of(nearest.second, k).alone) {
-      hit.kind = FanHit::Kind::Pair;
-      FanPair& pair = out.pair[k];
-      FanNearest::Crossing const* const found[] = {&nearest.first, &nearest.second};
-      for (std::size_t i = 0; i < 2; ++i) {
-        pair.crossing[i] = crossing_of(proposal_of(*found[i], k), *found[i], k);
-        pair.error[i] = found[i]->error[k];
-        pair.was_entering[i] = found[i]->entering[k] != 0;
-      }
-    }
+RayHit single_of(FanProposal const& proposal, FanNearest::Crossing const& found, std::size_t k) {
+  bool const entering = found.entering[k] != 0;
+  return {RayHit::Kind::Single,
+          entering != proposal.inverse,
+          proposal.toggles,
+          entering,
+          proposal.solid,
+          proposal.primitive,
+          static_cast<std::uint32_t>(found.face[k])};
+}
+World::Impl::Pair pair_of(Scratch const& scratch, FanNearest const& nearest, std::size_t k) {
+  World::Impl::Pair pair;
+  FanNearest::Crossing const* const found[] = {&nearest.first, &nearest.second};
+  for (std::size_t i = 0; i < 2; ++i) {
+    RayHit const hit = single_of(proposal_of(scratch, *found[i], k), *found[i], k);
+    pair.crossing[i] = {hit.solid,      hit.primitive, hit.face,
+                        found[i]->t[k], hit.entering,  hit.toggles};
+    pair.error[i] = found[i]->error[k];
+    pair.was_entering[i] = hit.was_entering;
   }
+  return pair;
 }
 
 struct ProposeConvex {
@@ -182,39 +147,40 @@ void World::Impl::find_fan(FanLines const& rays, Departure const* from, std::uin
       for (std::size_t k = 0; k < rays.count; ++k) propose_any(query, *this, id, k);
     }
     farthest = nearest.farthest(rays.count);
-    return true;
+    return farthest > -everywhere;
   });
 }
 
 /// What leaves a solid with partners is clear when there is nothing as near behind it as they
 /// reach.
-void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double const* t_max,
-                                Scratch& scratch, FanHits& hits) const {
+void World::Impl::find_contacts(FanLines const& rays, std::uint32_t const* place, std::uint8_t mask,
+                                double const* t_max, Scratch& scratch, Hits const& hits,
+                                bool* touches) const {
   bool open[fan_width];
   for (std::size_t k = 0; k < rays.count; ++k) {
-    FanHit const& hit = hits.hit[k];
-    bool const leaves = hit.kind == FanHit::Kind::Single && !hit.entering && hit.toggles;
+    RayHit const& hit = hits.hit[place[k]];
+    bool const leaves = hit.kind == RayHit::Kind::Single && !hit.entering && hit.toggles;
     open[k] = leaves && contacts.reach(hit.solid) > 0;
   }
   for (std::size_t first = 0; first < rays.count; ++first) {
     if (!open[first]) continue;
-    FanHit const surface = hits.hit[first];
+    RayHit const& surface = hits.hit[place[first]];
     double const widest = contacts.reach(surface.solid);
     FanLines behind;
     double reach[fan_width];
-    std::size_t place[fan_width];
+    std::size_t own[fan_width];
     behind.count = 0;
     for (std::size_t k = first; k < rays.count; ++k) {
-      if (!open[k] || !(hits.hit[k] == surface)) continue;
+      if (!open[k] || !(hits.hit[place[k]] == surface)) continue;
       open[k] = false;
-      Vec3 const point = hits.point.get(k), direction = rays.direction.get(k);
+      Vec3 const point = hits.point.get(place[k]), direction = rays.direction.get(k);
       Vec3 const normal = primitives[surface.primitive].normal(surface.face, point, true);
-      double const room = t_max == nullptr ? everywhere : t_max[k] - hits.t[k];
+      double const room = t_max == nullptr ? everywhere : t_max[k] - hits.t[place[k]];
       reach[behind.count] = std::min(widest / std::fabs(glm::dot(direction, normal)), room);
-      place[behind.count] = k;
+      own[behind.count] = k;
       behind.origin.set(behind.count, point);
       behind.direction.set(behind.count, direction);
-      behind.origin_error.set(behind.count, hits.point_error.get(k));
+      behind.origin_error.set(behind.count, hits.point_error.get(place[k]));
       ++behind.count;
     }
     behind.fill();
@@ -223,7 +189,7 @@ void World::Impl::find_contacts(FanLines const& rays, std::uint8_t mask, double 
     Nearest nearest(behind.count, reach);
     find_fan(behind, &scratch.through, mask, scratch, nearest);
     for (std::size_t i = 0; i < behind.count; ++i)
-      if (nearest.found(i)) hits.hit[place[i]].kind = FanHit::Kind::Unclear;
+      if (nearest.found(i)) touches[own[i]] = true;
   }
 }
 
@@ -238,59 +204,64 @@ bool World::Impl::diverge(FanLines const& rays, std::uint8_t mask) const {
   return native.extents(rays).spread(size) > many * asked.grain;
 }
 
-void World::Impl::find_each(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                            double const* t_max, Scratch& scratch, FanHits& hits) const {
-  for (std::size_t k = 0; k < rays.count; ++k) {
-    FanHit& hit = hits.hit[k];
-    hit = {};
-    Alone alone;
-    Kind const kind = first_single(rays.get(k), from, mask,
-                                   t_max == nullptr ? everywhere : t_max[k], scratch, alone);
-    if (kind != Kind::Single) {
-      hit.kind = kind == Kind::Nothing ? FanHit::Kind::Nothing : FanHit::Kind::Unclear;
-      continue;
-    }
-    SurfaceCrossing const& crossing = alone.crossing;
-    hit = {FanHit::Kind::Single, crossing.entering,  crossing.toggles, alone.was_entering,
-           crossing.solid,       crossing.primitive, crossing.face};
-    hits.t[k] = crossing.t;
-    hits.error[k] = alone.error;
-    Vec3 point, point_error;
-    set_point(rays.origin.get(k), rays.direction.get(k), crossing.t, alone.error, point,
-              point_error);
-    hits.point.set(k, point);
-    hits.point_error.set(k, point_error);
-  }
-}
-
-void World::closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                        double const* t_max, Scratch& scratch, FanHits& hits) const {
-  if (impl_->diverge(rays, mask)) {
-    impl_->find_each(rays, from, mask, t_max, scratch, hits);
-    if (impl_->contacts.any()) impl_->find_contacts(rays, mask, t_max, scratch, hits);
+void World::Impl::closest_fan(FanLines const& rays, std::uint32_t const* place,
+                              Departure const* from, std::uint8_t mask, double const* t_max,
+                              Scratch& scratch, Hits& hits) const {
+  auto const until = [&](std::size_t k) { return t_max == nullptr ? everywhere : t_max[k]; };
+  if (diverge(rays, mask)) {
+    for (std::size_t k = 0; k < rays.count; ++k)
+      find_alone(rays.get(k), from, mask, until(k), scratch, hits, place[k]);
     return;
   }
-  Impl::Nearest nearest(rays.count, t_max);
-  impl_->find_fan(rays, from, mask, scratch, nearest);
-  native.points(rays, nearest, hits);
-  write_hits(rays.count, nearest, scratch.proposals, hits);
-  if (impl_->contacts.any()) impl_->find_contacts(rays, mask, t_max, scratch, hits);
+  Nearest nearest(rays.count, t_max);
+  find_fan(rays, from, mask, scratch, nearest);
+  FanVectors point, point_error;
+  native.points(rays, nearest, point, point_error);
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    std::uint32_t const to = place[k];
+    hits.hit[to] = {};
+    if (!nearest.found(k)) continue;
+    FanProposal const& proposal = proposal_of(scratch, nearest.first, k);
+    if (proposal.alone && nearest.single(k)) {
+      hits.hit[to] = single_of(proposal, nearest.first, k);
+      hits.t[to] = nearest.first.t[k];
+      hits.error[to] = nearest.first.error[k];
+      hits.point.set(to, point.get(k));
+      hits.point_error.set(to, point_error.get(k));
+      continue;
+    }
+    HitGroup& group = hits.groups.add();
+    if (proposal.alone && nearest.pair(k) && proposal_of(scratch, nearest.second, k).alone)
+      closest_pair(rays.get(k), pair_of(scratch, nearest, k), mask, until(k), scratch, group);
+    else
+      closest_group(rays.get(k), from, mask, until(k), scratch, group);
+    hits.take_group(to);
+  }
+  if (!contacts.any()) return;
+  bool touches[fan_width] = {};
+  find_contacts(rays, place, mask, t_max, scratch, hits, touches);
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    if (!touches[k]) continue;
+    closest_group(rays.get(k), from, mask, until(k), scratch, hits.groups.add());
+    hits.take_group(place[k]);
+  }
 }
 
-void World::occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                         double const* t_max, Scratch& scratch, bool* blocked, bool* clear) const {
-  if (impl_->diverge(rays, mask)) {
+void World::Impl::occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                               double const* t_max, Scratch& scratch, bool* blocked,
+                               bool* clear) const {
+  if (diverge(rays, mask)) {
     for (std::size_t k = 0; k < rays.count; ++k) {
       blocked[k] = occluded(rays.get(k), from, mask, t_max[k], scratch);
       clear[k] = !blocked[k];
     }
     return;
   }
-  Impl::Nearest nearest(rays.count, t_max);
-  impl_->find_fan(rays, from, mask, scratch, nearest);
+  Nearest nearest(rays.count, t_max, true);
+  find_fan(rays, from, mask, scratch, nearest);
   for (std::size_t k = 0; k < rays.count; ++k) {
     clear[k] = !nearest.found(k);
-    blocked[k] = !clear[k] && nearest.end[k] < t_max[k];
+    blocked[k] = nearest.blocked(k);
   }
 }
 

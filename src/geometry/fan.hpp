@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/world.hpp"
+#include "geometry/batch.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -23,12 +23,16 @@ struct FanVectors {
     y[k] = v.y;
     z[k] = v.z;
   }
-  /// Of the first `count` rays; whole lanes of four.
-  void take(FanVectors const& from, std::size_t count) {
-    std::size_t const whole = (count + 3) / 4 * 4;
-    std::copy_n(from.x, whole, x);
-    std::copy_n(from.y, whole, y);
-    std::copy_n(from.z, whole, z);
+  /// Those at some places of a batch, ascending.
+  void take(VectorArrays const& from, std::uint32_t const* place, std::size_t count) {
+    std::uint32_t const first = place[0];
+    if (place[count - 1] - first + 1 == count) {
+      std::copy_n(from.x + first, count, x);
+      std::copy_n(from.y + first, count, y);
+      std::copy_n(from.z + first, count, z);
+      return;
+    }
+    for (std::size_t k = 0; k < count; ++k) set(k, from.get(place[k]));
   }
 };
 
@@ -42,48 +46,6 @@ struct FanLines {
   void copy(std::size_t to, FanLines const& from, std::size_t k);
   /// Repeats the last ray up to a whole number of lanes.
   void fill();
-};
-
-/// What one ray of a fan meets first.
-struct FanHit {
-  enum class Kind : std::uint8_t {
-    Nothing,
-    Single, ///< one crossing, of one primitive, clear of all others
-    Pair,   ///< two, of two solids, within their errors: World::closest_pair
-    Unclear ///< a group of several: ask World::closest
-  };
-  Kind kind = Kind::Nothing;
-  bool entering = false, toggles = true; ///< as in SurfaceCrossing
-  bool was_entering = false;             ///< the primitive (the solid may be its inverse)
-  SolidId solid = 0;
-  PrimitiveId primitive = 0;
-  std::uint32_t face = 0;
-  bool operator==(FanHit const&) const = default;
-};
-
-/// The nearest crossing, and the one that is in a group with it.
-struct FanPair {
-  SurfaceCrossing crossing[2];
-  double error[2];
-  bool was_entering[2];
-};
-
-/// What the rays of a fan meet first.
-struct FanHits {
-  FanHit hit[fan_width];
-  FanPair pair[fan_width];                           ///< of Pairs
-  alignas(32) double t[fan_width], error[fan_width]; ///< of Single ones
-  FanVectors point, point_error;                     ///< as in HitGroup
-  void copy(std::size_t to, FanHits const& from, std::size_t k);
-  /// Writes a Single as World::closest does.
-  void write(std::size_t k, HitGroup& out) const;
-  /// The same into a group that already has another Single of the same surface.
-  void write_place(std::size_t k, HitGroup& out) const {
-    out.t = out.crossings[0].t = t[k];
-    out.error = error[k];
-    out.point = point.get(k);
-    out.point_error = point_error.get(k);
-  }
 };
 
 } // namespace abbe::geometry

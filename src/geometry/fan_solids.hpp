@@ -12,6 +12,13 @@
 /// templates for each kind of registers.
 namespace abbe::geometry {
 
+/// The nearest crossing, and the one that is in a group with it.
+struct World::Impl::Pair {
+  SurfaceCrossing crossing[2];
+  double error[2];
+  bool was_entering[2];
+};
+
 /// The rays' nearest crossings so far. What is kept of the surface is the number of its proposal.
 struct World::Impl::Nearest {
   /// A crossing of each ray.
@@ -29,16 +36,22 @@ struct World::Impl::Nearest {
   alignas(32) double after[fan_width]; ///< no solid has another crossing that begins before this
   alignas(32) double until[fan_width];
 
-  Nearest(std::size_t count, double const* t_max) {
+  /// It is only asked whether anything is in the way: of `first`, the proposal says that something
+  /// may be, and `end` is -infinity where something is.
+  bool only_blocked;
+
+  Nearest(std::size_t count, double const* t_max, bool only_whether = false)
+      : only_blocked(only_whether) {
     for (std::size_t k = 0; k < (count + 3) / 4 * 4; ++k) {
-      until[k] = t_max == nullptr ? everywhere : t_max[std::min(k, count - 1)];
+      until[k] = end[k] = t_max == nullptr ? everywhere : t_max[std::min(k, count - 1)];
+      first.proposal[k] = -1;
+      if (only_blocked) continue;
       first.t[k] = begin[k] = everywhere;
       second_begin[k] = third_begin[k] = after[k] = everywhere;
-      end[k] = until[k];
       first.error[k] = first.face[k] = first.entering[k] = 0;
-      first.proposal[k] = -1;
     }
   }
+  bool blocked(std::size_t k) const { return end[k] == -everywhere; }
   bool found(std::size_t k) const { return !(first.proposal[k] < 0); }
   /// Crossings of other solids within the error of the first make a group.
   bool single(std::size_t k) const {
@@ -68,11 +81,17 @@ template <class L, class M>
 void propose(FanNearest& nearest, std::size_t at, M const& valid, L const& t, L const& error,
              L const& face, L const& entering, L const& after, double number) {
   using lane::load, lane::select, lane::store;
-  L const begin = t - error, best_t = load<L>(nearest.first.t + at);
+  L const begin = t - error, until = load<L>(nearest.until + at);
   L const old_end = load<L>(nearest.end + at);
-  auto const counts =
-      lane::both(lane::both(valid, t < load<L>(nearest.until + at)), begin <= old_end);
+  auto const counts = lane::both(lane::both(valid, t < until), begin <= old_end);
   if (lane::none(counts)) return;
+  if (nearest.only_blocked) {
+    store(nearest.end + at, select(lane::both(counts, t + error < until), L(-everywhere), old_end));
+    store(nearest.first.proposal + at,
+          select(counts, L(number), load<L>(nearest.first.proposal + at)));
+    return;
+  }
+  L const best_t = load<L>(nearest.first.t + at);
   auto const nearer = lane::both(counts, t < best_t);
   L const old_begin = load<L>(nearest.begin + at), end = select(nearer, t + error, old_end);
   L const lost_begin = select(nearer, old_begin, begin);

@@ -3,7 +3,6 @@
 
 #include "geometry/batch.hpp"
 #include "geometry/csg.hpp"
-#include "geometry/fan.hpp"
 #include "geometry/world.hpp"
 
 #include <cstdint>
@@ -46,7 +45,7 @@ struct HalfSpaceScratch {
 
 inline constexpr SolidId no_solid = static_cast<SolidId>(-1);
 
-/// Where a crossing of a fan's ray comes from (World::closest_fan).
+/// Where a crossing of a fan's ray comes from (World::Impl::closest_fan).
 struct FanProposal {
   SolidId solid = 0;
   PrimitiveId primitive = 0;
@@ -66,7 +65,6 @@ public:
   std::vector<Departure::On> members;
   StartOrder order;    ///< of a batch
   Departure departure; ///< of a packet of it
-  FanHits found;       ///< of that packet
   HitGroup beyond;     ///< what is in contact with a group
   Departure through;   ///< from that group on
   std::vector<FanProposal> proposals;

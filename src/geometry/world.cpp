@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/fan.hpp"
+#include "geometry/fan_solids.hpp"
 #include "geometry/world_impl.hpp"
 
 #include <algorithm>
@@ -102,9 +102,9 @@ bool World::Impl::first_group(Ray const& ray, Departure const* from, std::uint8_
   return true;
 }
 
-void World::closest_pair(Ray const& ray, FanPair const& pair, std::uint8_t mask, double t_max,
-                         Scratch& scratch, HitGroup& out) const {
-  impl_->prepare(scratch);
+void World::Impl::closest_pair(Ray const& ray, Pair const& pair, std::uint8_t mask, double t_max,
+                               Scratch& scratch, HitGroup& out) const {
+  prepare(scratch);
   scratch.candidates.clear();
   scratch.members.clear();
   for (std::uint32_t i = 0; i < 2; ++i) {
@@ -113,7 +113,7 @@ void World::closest_pair(Ray const& ray, FanPair const& pair, std::uint8_t mask,
     scratch.members.push_back({crossing.primitive, crossing.face, pair.was_entering[i]});
   }
   settle(ray, scratch, 0, out);
-  if (impl_->contacts.any()) impl_->join_contact(ray, mask, t_max, scratch, out);
+  if (contacts.any()) join_contact(ray, mask, t_max, scratch, out);
 }
 
 /// The rule of Contacts: the gap is measured across, whatever the ray's obliquity, and must be

@@ -68,13 +68,10 @@ struct HitGroup {
   }
 };
 
-struct FanLines;
 struct RayLines; // of batch.hpp
 struct RayHit;
 struct Hits;
 struct VectorArrays;
-struct FanHits;
-struct FanPair;
 
 /// Scratch memory of one thread: nothing is allocated per ray once it has grown.
 class Scratch;
@@ -107,22 +104,6 @@ public:
   /// are one group, at the surface that is left.
   bool closest(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max, Scratch&,
                HitGroup& out) const;
-  /// The same answer, at once the way that takes several surfaces for granted: for rays that a fan
-  /// found Unclear.
-  bool closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
-                     Scratch&, HitGroup& out) const;
-  /// The same for a ray whose group a fan found.
-  void closest_pair(Ray const& ray, FanPair const& pair, std::uint8_t mask, double t_max, Scratch&,
-                    HitGroup& out) const;
-  /// closest() for each ray of a fan (fan.hpp), with the bits of each alone.
-  /// @param rays at least one, filled up
-  /// @param t_max by ray; null: infinite
-  void closest_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                   double const* t_max, Scratch&, FanHits& hits) const;
-  /// occluded() for each ray of a fan: blocked, clear, or neither of them where it takes occluded()
-  /// itself to tell.
-  void occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                    double const* t_max, Scratch&, bool* blocked, bool* clear) const;
   /// Does any solid with a bit of `mask` cut the open interval (0, t_max)?
   bool occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                 Scratch&) const;

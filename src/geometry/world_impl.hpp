@@ -7,8 +7,10 @@
 
 #include <atomic>
 
-/// What a World keeps; for world.cpp and fan.cpp alone.
+/// What a World keeps; for this folder alone.
 namespace abbe::geometry {
+
+struct FanLines;
 
 /// Where a line meets a surface, and how far from it that point may be.
 inline void set_point(Vec3 const& origin, Vec3 const& direction, double t, double error,
@@ -79,6 +81,11 @@ struct World::Impl {
   }
   Contacts contacts; ///< by solid
 
+  /// As World has them.
+  bool closest_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                     Scratch& scratch, HitGroup& out) const;
+  bool occluded(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                Scratch& scratch) const;
   bool first_group(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                    Scratch& scratch, HitGroup& out) const;
   void join_contact(Ray const& ray, std::uint8_t mask, double t_max, Scratch& scratch,
@@ -95,15 +102,29 @@ struct World::Impl {
   /// first_group().
   Kind first_single(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
                     Scratch& scratch, Alone& out) const;
+  /// closest() as what ray k of `hits` meets.
+  void find_alone(Ray const& ray, Departure const* from, std::uint8_t mask, double t_max,
+                  Scratch& scratch, Hits& hits, std::size_t k) const;
   struct Nearest; ///< of fan.cpp
+  struct Pair;
   void find_fan(FanLines const& rays, Departure const* from, std::uint8_t mask, Scratch& scratch,
                 Nearest& nearest) const;
-  void find_contacts(FanLines const& rays, std::uint8_t mask, double const* t_max, Scratch& scratch,
-                     FanHits& hits) const;
+  /// find_alone() for each ray of a fan, which is ray place[k] of `hits`.
+  /// @param rays at least one, filled up
+  /// @param t_max by ray; null: infinite
+  void closest_fan(FanLines const& rays, std::uint32_t const* place, Departure const* from,
+                   std::uint8_t mask, double const* t_max, Scratch& scratch, Hits& hits) const;
+  /// occluded() for each ray of a fan: blocked, clear, or neither of them where it takes occluded()
+  /// itself to tell. No more is asked about rays that are blocked.
+  void occluded_fan(FanLines const& rays, Departure const* from, std::uint8_t mask,
+                    double const* t_max, Scratch& scratch, bool* blocked, bool* clear) const;
+  /// closest() of a ray whose group a fan found.
+  void closest_pair(Ray const& ray, Pair const& pair, std::uint8_t mask, double t_max,
+                    Scratch& scratch, HitGroup& out) const;
+  /// @param touches gets the rays that may meet what is in contact with what they leave
+  void find_contacts(FanLines const& rays, std::uint32_t const* place, std::uint8_t mask,
+                     double const* t_max, Scratch& scratch, Hits const& hits, bool* touches) const;
   bool diverge(FanLines const& rays, std::uint8_t mask) const;
-  /// first_single() for each ray.
-  void find_each(FanLines const& rays, Departure const* from, std::uint8_t mask,
-                 double const* t_max, Scratch& scratch, FanHits& hits) const;
   /// Tells one world's scratch from another's, nothing more.
   static std::uint64_t next_number() {
     static std::atomic<std::uint64_t> last{0};

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
+#include <vector>
 
 /// Writes what fans of rays meet in a small world, bit for bit: the same text from every processor
 /// and for every kind of registers (tests/portability/aarch64).
@@ -74,13 +75,20 @@ void run() {
       lines.direction.set(k, way / std::sqrt(glm::dot(way, way)));
       lines.origin_error.set(k, Vec3(0));
     }
-    lines.fill();
-    FanHits hits;
-    world.closest_fan(lines, nullptr, 0xff, nullptr, *scratch, hits);
+    std::vector<RayStart> const starts(lines.count);
+    auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
+    RayLines const rays{lines.count,
+                        arrays(lines.origin),
+                        arrays(lines.direction),
+                        arrays(lines.origin_error),
+                        starts.data(),
+                        nullptr};
+    Hits hits;
+    world.intersect(rays, 0xff, nullptr, *scratch, hits);
     for (std::size_t k = 0; k < lines.count; ++k) {
-      FanHit const& hit = hits.hit[k];
+      RayHit const& hit = hits.hit[k];
       std::printf("%d %d", fan, static_cast<int>(hit.kind));
-      if (hit.kind == FanHit::Kind::Single) {
+      if (hit.kind == RayHit::Kind::Single) {
         std::printf(" %u %u %d", hit.primitive, hit.face, hit.entering);
         for (double const value : {hits.t[k], hits.error[k], hits.point.x[k], hits.point.y[k],
                                    hits.point.z[k], hits.point_error.x[k]})

@@ -9,7 +9,6 @@
 #include "geometry/shapes/torus.hpp"
 #include "geometry/world.hpp"
 #include "optics/refract.hpp"
-#include "render/fan_interface.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -102,10 +101,19 @@ void closest_fan(benchmark::State& state, World const& world) {
       fans[i].origin_error.set(k, Vec3(0));
     }
   }
-  FanHits hits;
+  std::vector<RayStart> const starts(fan_width);
+  auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
+  Hits hits;
   std::size_t i = 0;
   for (auto _ : state) {
-    world.closest_fan(fans[i++ % fans.size()], nullptr, 0xff, nullptr, *scratch, hits);
+    FanLines& fan = fans[i++ % fans.size()];
+    RayLines const lines{fan_width,
+                         arrays(fan.origin),
+                         arrays(fan.direction),
+                         arrays(fan.origin_error),
+                         starts.data(),
+                         nullptr};
+    world.intersect(lines, 0xff, nullptr, *scratch, hits);
     benchmark::DoNotOptimize(hits);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fan_width));
@@ -117,23 +125,6 @@ void fan_sphere(benchmark::State& state) {
 void fan_prism(benchmark::State& state) {
   closest_fan(state, world_of({*make_plane({0, 1, 0}, -2),
                                *make_prism({{{-1, 0}, {1, 0}, {0, 1.5}}}, -1, 1, false)}));
-}
-/// Fresnel, Snell and the mirrored directions of a fan.
-void fan_interface(benchmark::State& state) {
-  FanVectors directions;
-  render::FanInterface face;
-  for (std::size_t k = 0; k < fan_width; ++k) {
-    double const cosine = 0.2 + 0.02 * static_cast<double>(k);
-    directions.set(k, {std::sqrt(1 - cosine * cosine), -cosine, 0});
-    face.normal.set(k, {0, 1, 0});
-    face.n1[k] = 1;
-    face.n2[k] = 1.7 + 0.002 * static_cast<double>(k);
-  }
-  for (auto _ : state) {
-    render::meet_fan(directions, fan_width, face);
-    benchmark::DoNotOptimize(face);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(fan_width));
 }
 
 void closest_sphere(benchmark::State& state) {
@@ -181,7 +172,6 @@ BENCHMARK(build_spheres)->Arg(100000);
 BENCHMARK(interface);
 BENCHMARK(fan_sphere);
 BENCHMARK(fan_prism);
-BENCHMARK(fan_interface);
 
 } // namespace
 } // namespace abbe::geometry

@@ -183,7 +183,7 @@ protected:
   }
   void expect_same(World const& world, Ray const& ray, Departure const* from, std::uint8_t mask,
                    double until, Hits const& hits, std::size_t k) {
-    HitGroup alone, together;
+    HitGroup alone;
     RayHit const& hit = hits.hit[k];
     bool const found = world.closest(ray, from, mask, until, *alone_, alone);
     ASSERT_EQ(found, hit.kind != RayHit::Kind::Nothing);
@@ -191,18 +191,7 @@ protected:
        : hit.kind == RayHit::Kind::Single ? counts_.single
                                           : counts_.group);
     if (!found) return;
-    if (hit.kind == RayHit::Kind::Group) {
-      together = hits.groups[hits.group[k]];
-    } else {
-      together.t = hits.t[k];
-      together.error = hits.error[k];
-      together.point = hits.point.get(k);
-      together.point_error = hits.point_error.get(k);
-      together.crossings.push_back(
-          {hit.solid, hit.primitive, hit.face, hits.t[k], hit.entering, hit.toggles});
-      together.members.push_back({hit.primitive, hit.face, hit.was_entering});
-    }
-    expect_same_group(alone, together);
+    expect_same_group(alone, group_of(hits, k));
   }
   /// A batch from what the rays of another met, through it and back from it.
   void leave_all(World const& world, Batch const& from, Hits const& hits, Dice& dice, Batch& out) {

@@ -6,19 +6,8 @@
 
 #include <gtest/gtest.h>
 
-/// What a fan finds is what World::closest and World::occluded find for each of its rays.
+/// What a batch of rays finds is what World::closest and World::occluded find for each of them.
 namespace abbe::geometry::test {
-
-inline void compare_fan_occlusion(World const& world, FanLines const& lines, Departure const* from,
-                                  double const* t_max, Scratch& scratch) {
-  bool blocked[fan_width], clear[fan_width];
-  world.occluded_fan(lines, from, 0xff, t_max, scratch, blocked, clear);
-  for (std::size_t k = 0; k < lines.count; ++k) {
-    EXPECT_FALSE(blocked[k] && clear[k]);
-    if (!blocked[k] && !clear[k]) continue;
-    EXPECT_EQ(blocked[k], world.occluded(lines.get(k), from, 0xff, t_max[k], scratch));
-  }
-}
 
 inline void expect_same_group(HitGroup const& alone, HitGroup const& together) {
   EXPECT_EQ(alone.t, together.t);
@@ -43,7 +32,22 @@ inline void expect_same_group(HitGroup const& alone, HitGroup const& together) {
   }
 }
 
-/// Rays of a fan, by what it said of them.
+/// The ray's hit as World::closest tells it.
+inline HitGroup group_of(Hits const& hits, std::size_t k) {
+  RayHit const& hit = hits.hit[k];
+  if (hit.kind == RayHit::Kind::Group) return hits.groups[hits.group[k]];
+  HitGroup group;
+  group.t = hits.t[k];
+  group.error = hits.error[k];
+  group.point = hits.point.get(k);
+  group.point_error = hits.point_error.get(k);
+  group.crossings.push_back(
+      {hit.solid, hit.primitive, hit.face, hits.t[k], hit.entering, hit.toggles});
+  group.members.push_back({hit.primitive, hit.face, hit.was_entering});
+  return group;
+}
+
+/// Rays of a fan, by what they met.
 struct FanCounts {
   int single = 0, pairs = 0;
 };
@@ -51,26 +55,33 @@ struct FanCounts {
 /// Asks for the rays together and one by one.
 inline FanCounts compare_fan(World const& world, FanLines& lines, Departure const* from,
                              double const* t_max, Scratch& scratch) {
-  lines.fill();
-  FanHits hits;
-  world.closest_fan(lines, from, 0xff, nullptr, scratch, hits);
-  compare_fan_occlusion(world, lines, from, t_max, scratch);
+  Groups groups;
+  std::vector<RayStart> starts(lines.count);
+  if (from != nullptr) {
+    groups.add().members = from->on;
+    for (RayStart& start : starts) start = {0, 0, RayStart::Kind::Group, false, from->through};
+  }
+  auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
+  RayLines const rays{lines.count,
+                      arrays(lines.origin),
+                      arrays(lines.direction),
+                      arrays(lines.origin_error),
+                      starts.data(),
+                      &groups};
+  Hits hits;
+  world.intersect(rays, 0xff, nullptr, scratch, hits);
+  std::vector<std::uint8_t> blocked(lines.count);
+  world.occluded(rays, 0xff, t_max, scratch, blocked.data());
   FanCounts counts;
   for (std::size_t k = 0; k < lines.count; ++k) {
-    HitGroup alone, together;
+    EXPECT_EQ(blocked[k] != 0, world.occluded(lines.get(k), from, 0xff, t_max[k], scratch));
+    HitGroup alone;
     bool const found = world.closest(lines.get(k), from, 0xff, infinity, scratch, alone);
-    FanHit const& hit = hits.hit[k];
-    EXPECT_EQ(found, hit.kind != FanHit::Kind::Nothing);
-    if (hit.kind == FanHit::Kind::Single) {
-      hits.write(k, together);
-      ++counts.single;
-    } else if (hit.kind == FanHit::Kind::Pair) {
-      world.closest_pair(lines.get(k), hits.pair[k], 0xff, infinity, scratch, together);
-      ++counts.pairs;
-    } else {
-      continue;
-    }
-    expect_same_group(alone, together);
+    EXPECT_EQ(found, hits.hit[k].kind != RayHit::Kind::Nothing);
+    if (!found) continue;
+    counts.single += hits.hit[k].kind == RayHit::Kind::Single ? 1 : 0;
+    counts.pairs += alone.crossings.size() == 2 ? 1 : 0;
+    expect_same_group(alone, group_of(hits, k));
   }
   return counts;
 }
