@@ -79,6 +79,12 @@ class Page(unittest.TestCase):
         self.assertIn('Not made by one of them: lost.pov, gone.pov.', page)
         self.assertIn('| all | 1 |', page)
 
+    def test_a_second_abbe_is_compared_with_the_first(self) -> None:
+        record = corpus({**scene('a', 1.2, 1.1), 'other': 2.1}, {**scene('b', 1.2, 2.1), 'other': 1.1}, scene('c', 1.2, 1.1))
+        record['startup']['other'] = 0.1
+        self.assertEqual(report.Corpus(record).others(), 'other / abbe: 2 scenes: median 1.25, geometric mean 1.00, below 1 in 1')
+        self.assertEqual(report.Corpus(corpus(scene('c', 1.2, 1.1))).others(), '')
+
     def test_a_look_is_no_record(self) -> None:
         self.assertNotIn('a look', report.page(measured(), None).lower())
         for change, why in (({'quick': True}, 'small sizes'), ({'only': 'csg'}, 'some scenes only'), ({'runs': 1}, 'one run'),

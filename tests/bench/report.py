@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """docs/performance.md from the figures that `run` and `corpus` keep. Figures are in the records; words are here."""
-import math
 import statistics
 
 # Of the scenes that are not traced by search: (what, wanted, of the ratios, at most).
@@ -98,9 +97,8 @@ class Corpus:
         ratios = [self.net(row, 'other') / self.net(row, 'abbe') for row in self.rows if row.get('other') is not None]
         if not ratios:
             return ''
-        mean = math.exp(statistics.fmean(map(math.log, ratios)))
-        return (f'other / abbe: {len(ratios)} scenes: median {statistics.median(ratios):.2f}, geometric mean {mean:.2f}, '
-                f'slower than 1 in {sum(r < 1 for r in ratios)}')
+        return (f'other / abbe: {len(ratios)} scenes: median {statistics.median(ratios):.2f}, geometric mean '
+                f'{statistics.geometric_mean(ratios):.2f}, below 1 in {sum(ratio < 1 for ratio in ratios)}')
 
 
 def origin(about: dict) -> str:
