@@ -85,17 +85,21 @@ void Buckets::sort(std::span<BucketKey const> keys, geometry::Groups const& grou
   keys_.clear();
   ends_.clear();
   table_.assign(least_table, 0);
-  bucket_.resize(keys.size());
   places_.resize(keys.size());
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    bool const again = k > 0 && keys[k] == keys[k - 1];
-    bucket_[k] = again ? bucket_[k - 1] : bucket_of(keys[k], groups);
-    ++ends_[bucket_[k]];
+  runs_.clear();
+  for (std::uint32_t first = 0, end; first < keys.size(); first = end) {
+    for (end = first + 1; end < keys.size() && keys[end] == keys[first];) ++end;
+    std::uint32_t const bucket = bucket_of(keys[first], groups);
+    ends_[bucket] += end - first;
+    runs_.push_back({first, end, bucket});
   }
   std::uint32_t at = 0;
   for (std::uint32_t& end : ends_) at += std::exchange(end, at);
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    places_[ends_[bucket_[k]]++] = static_cast<std::uint32_t>(k);
+  for (auto const& [first, end, bucket] : runs_) {
+    std::iota(places_.begin() + ends_[bucket], places_.begin() + ends_[bucket] + (end - first),
+              first);
+    ends_[bucket] += end - first;
+  }
   order_.resize(keys_.size());
   std::iota(order_.begin(), order_.end(), 0U);
   std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -48,7 +48,12 @@ private:
   void grow();
   std::uint32_t bucket_of(BucketKey const& key, geometry::Groups const& groups);
   std::vector<BucketKey> keys_; ///< by bucket
-  std::vector<std::uint32_t> ends_, order_, bucket_, places_, table_;
+  /// Neighbouring rays of one bucket.
+  struct Run {
+    std::uint32_t first, end, bucket;
+  };
+  std::vector<Run> runs_;
+  std::vector<std::uint32_t> ends_, order_, places_, table_;
 };
 
 } // namespace abbe::transport

@@ -2,6 +2,7 @@
 #include "transport/emitter.hpp"
 
 #include "simd/math.hpp"
+#include "transport/runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,11 +111,12 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
   std::size_t const n = like.each;
   std::uint16_t going[chunk_width];
   std::size_t count = 0;
+  std::uint64_t counted = 0;
   each_of(rays.rays, [&](std::size_t r) {
     double const* const light = rays.light + r * n;
     bool goes = any_above(light, n, threshold(chunk.sample[r]));
     if (goes) {
-      ++(counts.*rays.counted);
+      ++counted;
       count_ray(chunk.sample[r]);
       goes = chunk.level[r] + static_cast<int>(rays.deeper >> r & 1) < stage_.max_trace_level;
     }
@@ -123,23 +125,24 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
     else
       cut(rays.slot[r], light, n);
   });
+  counts.*rays.counted += counted;
   if (count == 0) return;
   Rays& to = queue({like.kind, rays.mirrored ? reflection_bit : chunk.mask, rays.mirrored});
   std::size_t const first = to.add(count);
-  set_starts(chunk, to, first, count, !rays.mirrored, [&](std::size_t i) { return going[i]; });
+  Runs const runs(going, count);
+  runs.take_vectors(chunk.point, to.origin, first);
+  runs.take_vectors(chunk.point_error, to.origin_error, first);
+  runs.take_vectors(rays.way, to.direction, first);
+  runs.take(rays.mirrored ? chunk.before : chunk.after, to.stack.data() + first);
+  runs.take(rays.slot, to.slot.data() + first);
+  runs.take(like.tooth, to.tooth.data() + first);
+  runs.take(rays.light, to.light_of(first), n);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t const r = going[i], k = first + i;
-    to.direction.x[k] = rays.way.x[r];
-    to.direction.y[k] = rays.way.y[r];
-    to.direction.z[k] = rays.way.z[r];
-    to.slot[k] = rays.slot[r];
+    to.start[k] = chunk.start_of(r, !rays.mirrored);
     to.channel[k] = like.channels[r * n];
-    to.tooth[k] = like.tooth[r];
     to.level[k] = static_cast<std::uint16_t>(chunk.level[r] + (rays.deeper >> r & 1));
   }
-  double* light = to.light_of(first);
-  for (std::size_t i = 0; i < count; ++i, light += n)
-    for (std::size_t c = 0; c < n; ++c) light[c] = rays.light[going[i] * n + c];
   if (like.kind.listed())
     for (std::size_t i = 0; i < count; ++i)
       std::copy_n(like.channels + going[i] * n, n, to.channels.data() + (first + i) * n);

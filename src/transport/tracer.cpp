@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "transport/tracer.hpp"
 
+#include "transport/runs.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -179,12 +181,22 @@ void Tracer::arrive(Rays& rays) {
   path_.resize(keys_.size());
   // Where media neither displace each other nor leak, most is said at once.
   bool const plain = !stage_.has_priorities && !stage_.has_leaks;
+  auto const same = [](geometry::RayHit const& a, geometry::RayHit const& b) {
+    return a.kind == b.kind && a.solid == b.solid && a.primitive == b.primitive
+           && a.entering == b.entering && a.toggles == b.toggles;
+  };
   for (std::size_t k = 0; k < rays.count(); ++k) {
     geometry::RayHit const& met = hits_.hit[k];
-    if (plain && met.kind == geometry::RayHit::Kind::Single)
-      keys_[k] = plain_meeting(rays.stack[k], met, k);
-    else
+    if (!plain || met.kind != geometry::RayHit::Kind::Single) {
       keys_[k] = meeting_of(rays, k);
+    } else if (k > 0 && rays.stack[k] == rays.stack[k - 1] && same(met, hits_.hit[k - 1])) {
+      keys_[k] = keys_[k - 1];
+      before_[k] = before_[k - 1];
+      after_[k] = after_[k - 1];
+      rest_[k] = hits_.t[k];
+    } else {
+      keys_[k] = plain_meeting(rays.stack[k], met, k);
+    }
   }
   if (!emitter_.fields().path) return;
   for (std::size_t k = 0; k < rays.count(); ++k) {
@@ -274,42 +286,35 @@ void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32
   c.doubles = kind.listed() && stage_.comb(kind.comb).follow == optics::Comb::Follow::Doubled;
   c.channels = arena_.take<std::uint16_t>(c.lanes() + 8);
   c.light = arena_.take<double>(c.lanes() + 8);
-  std::uint32_t const* const place = places.data();
   std::size_t const count = places.size();
+  Runs const runs(places.data(), count);
   auto const vectors = [&](Vectors& to, geometry::VectorArrays const& from) {
-    for (std::size_t r = 0; r < count; ++r) {
-      to.x[r] = from.x[place[r]];
-      to.y[r] = from.y[place[r]];
-      to.z[r] = from.z[place[r]];
-    }
+    runs.take(from.x, to.x);
+    runs.take(from.y, to.y);
+    runs.take(from.z, to.z);
   };
   vectors(c.direction, rays.direction);
   vectors(c.point, hits_.point);
   vectors(c.point_error, hits_.point_error);
-  for (std::size_t r = 0; r < count; ++r) {
-    std::uint32_t const k = place[r];
-    c.slot[r] = rays.slot[k];
-    c.tooth[r] = rays.tooth[k];
-    c.level[r] = rays.level[k];
-    c.sample[r] = static_cast<std::uint32_t>(film_.sample_of(rays.slot[k]));
-    c.before[r] = before_[k];
-    c.after[r] = after_[k];
-    c.hit[r] = hits_.hit[k];
-    chunk_rest_[r] = rest_[k];
-    chunk_way_[r] = hits_.t[k];
-  }
-  double const* const light = rays.light.data();
+  runs.take(rays.slot.data(), c.slot);
+  runs.take(rays.tooth.data(), c.tooth);
+  runs.take(rays.level.data(), c.level);
+  runs.take(before_.data(), c.before);
+  runs.take(after_.data(), c.after);
+  runs.take(hits_.hit.data(), c.hit);
+  runs.take(rest_.data(), chunk_rest_.value);
+  runs.take(hits_.t.data(), chunk_way_.value);
+  runs.take(rays.light.data(), c.light, n);
+  for (std::size_t r = 0; r < count; ++r)
+    c.sample[r] = static_cast<std::uint32_t>(film_.sample_of(c.slot[r]));
   if (kind.listed()) {
-    for (std::size_t r = 0; r < count; ++r) {
-      std::copy_n(light + place[r] * n, n, c.light + r * n);
-      channels_of(rays, place[r], c.channels + r * n);
-    }
+    runs.take(rays.channels.data(), c.channels, n);
+  } else if (n == 1) {
+    runs.take(rays.channel.data(), c.channels);
   } else {
     for (std::size_t r = 0, lane = 0; r < count; ++r)
-      for (std::size_t i = 0; i < n; ++i, ++lane) {
-        c.light[lane] = light[place[r] * n + i];
-        c.channels[lane] = static_cast<std::uint16_t>(rays.channel[place[r]] + i);
-      }
+      for (std::size_t i = 0; i < n; ++i, ++lane)
+        c.channels[lane] = static_cast<std::uint16_t>(rays.channel[places[r]] + i);
   }
   for (std::size_t r = c.count; r % 8 != 0; ++r) { // kernels compute whole lanes
     c.direction.set(r, c.direction.get(c.count - 1));
