@@ -114,7 +114,8 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
   std::uint64_t counted = 0;
   each_of(rays.rays, [&](std::size_t r) {
     double const* const light = rays.light + r * n;
-    bool goes = any_above(light, n, threshold(chunk.sample[r]));
+    double const least = threshold(chunk.sample[r]);
+    bool goes = n == 1 ? *light > least : any_above(light, n, least);
     if (goes) {
       ++counted;
       count_ray(chunk.sample[r]);

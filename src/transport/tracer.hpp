@@ -103,6 +103,8 @@ private:
   SurfaceLight shade_chunk(Face const& face, Shares const& shares, bool lit);
   /// @param surface null: clear
   void find_shares(Face const& face, SurfaceLight const* surface, Shares& shares);
+  /// The same of clear surfaces that do not split light.
+  void find_bare_shares(Face const& face, Shares& shares);
   void mirror(Face const& face, SurfaceLight const* surface, Shares const& shares);
   void mirror_bent(Face const& face, SurfaceLight const& surface, Shares const& shares,
                    RaySet rays);

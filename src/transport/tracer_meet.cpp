@@ -166,12 +166,33 @@ SurfaceLight Tracer::shade_chunk(Face const& face, Shares const& shares, bool li
   return surface;
 }
 
+void Tracer::find_bare_shares(Face const& face, Shares& shares) {
+  Chunk const& c = chunk_;
+  RaySet const all = first_rays(c.count);
+  shares.passing = all & ~c.total;
+  if (!face.fresnel) {
+    shares.returning = c.total;
+    std::copy_n(c.light, c.lanes(), shares.back);
+    std::copy_n(c.light, c.lanes(), shares.on);
+    return;
+  }
+  for (std::size_t r = 0, k = 0; r < c.count; ++r) {
+    double const back = c.reflectance[r], on = c.transmittance[r];
+    shares.returning |= RaySet{back != 0} << r;
+    for (std::size_t const end = k + c.each; k < end; ++k) {
+      shares.back[k] = c.light[k] * back;
+      shares.on[k] = c.light[k] * on;
+    }
+  }
+}
+
 void Tracer::find_shares(Face const& face, SurfaceLight const* surface, Shares& shares) {
   Chunk const& c = chunk_;
   std::size_t const lanes = c.lanes();
   shares.back = arena_.take<double>(lanes + 8);
   shares.on = arena_.take<double>(lanes + 8);
   shares.passing = shares.returning = 0;
+  if (surface == nullptr && !face.splits) return find_bare_shares(face, shares);
   RaySet const unasked_of =
       face.fresnel ? ~(surface != nullptr ? surface->explicit_reflection : RaySet{0}) : 0;
   for (std::size_t r = 0, first = 0; r < c.count; ++r, first += c.each) {
