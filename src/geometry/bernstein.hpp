@@ -6,37 +6,66 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 /// Pieces of polynomials in Bernstein form: what the isolation of roots (roots.cpp) works on.
+/// `Degree` is that of all polynomials of a search, so that loops are unrolled; 0: any.
 namespace abbe::geometry {
 
 /// Bernstein coefficients over [low, low + width], their error, and the signs at the ends.
-template <class N>
+template <class N, int Degree>
 struct Piece {
   N low;
   double width, error;
   int first, last;
-  std::array<N, largest_degree + 1> b;
+  std::array<N, (Degree > 0 ? Degree : largest_degree) + 1> b;
 };
 
-/// b_j = sum C(j, i) / C(n, i) c_i: all weights within [0, 1].
-template <class N>
-void to_bernstein(Polynomial<N> const& f, Piece<N>& piece) {
-  int const n = f.degree;
-  double binomial = 1, size = 0;
+template <int Degree, class N>
+int degree_of(Polynomial<N> const& f) {
+  if constexpr (Degree > 0)
+    return Degree;
+  else
+    return f.degree;
+}
+
+/// C(n, i) and its inverse; those up to C(35, 17) are exact.
+struct Binomials {
+  double of[largest_degree + 1][largest_degree + 1],
+      inverse[largest_degree + 1][largest_degree + 1];
+  constexpr Binomials() : of(), inverse() {
+    for (int n = 0; n <= largest_degree; ++n) {
+      std::uint64_t value = 1;
+      for (int i = 0; i <= n; ++i) {
+        of[n][i] = static_cast<double>(value);
+        inverse[n][i] = 1 / of[n][i];
+        value = value * static_cast<std::uint64_t>(n - i) / static_cast<std::uint64_t>(i + 1);
+      }
+    }
+  }
+};
+inline constexpr Binomials binomials;
+
+/// Over [0, 1] or, `below`, [-1, 0]: b_j = sum C(j, i) / C(n, i) c_i, all weights within [0, 1].
+template <class N, int Degree>
+void to_bernstein(Polynomial<N> const& f, bool below, Piece<N, Degree>& piece) {
+  int const n = degree_of<Degree>(f);
+  double size = 0;
+  piece.low = N(below ? -1.0 : 0.0);
+  piece.width = 1;
   for (int i = 0; i <= n; ++i) {
     auto const k = static_cast<std::size_t>(i);
     size += std::fabs(rounded(f.c[k]));
-    double const inverse = 1 / binomial; // binomials up to C(35, 17) are exact
+    double const inverse = binomials.inverse[n][i];
     if constexpr (std::is_same_v<N, double>) {
       piece.b[k] = f.c[k] * inverse;
     } else {
       // With twice the digits: one step of Newton.
-      N const rest = N(1.0) - N(inverse) * N(binomial);
+      N const rest = N(1.0) - N(inverse) * N(binomials.of[n][i]);
       piece.b[k] = f.c[k] * (N(inverse) + N(inverse) * rest);
     }
-    binomial = std::round(binomial * (n - i) / (i + 1));
+    if (below && i % 2 == 1) piece.b[k] = -piece.b[k];
   }
   for (int i = 1; i <= n; ++i) {
     for (int j = n; j >= i; --j) {
@@ -44,12 +73,14 @@ void to_bernstein(Polynomial<N> const& f, Piece<N>& piece) {
       piece.b[k] = piece.b[k] + piece.b[k - 1];
     }
   }
+  if (below) std::reverse(piece.b.begin(), piece.b.begin() + n + 1);
   piece.error = f.error + 2 * (n + 3) * roundoff<N> * size;
 }
 
 /// Parts `whole` at `share` of its width.
-template <class N>
-void part(Piece<N> const& whole, int n, double share, Piece<N>& left, Piece<N>& right) {
+template <class N, int Degree>
+void part(Piece<N, Degree> const& whole, int n, double share, Piece<N, Degree>& left,
+          Piece<N, Degree>& right) {
   double size = 0;
   for (int i = 0; i <= n; ++i) {
     auto const k = static_cast<std::size_t>(i);
@@ -79,13 +110,19 @@ struct Changes {
   int count = 0;
   bool certain = true; ///< whatever the signs of the coefficients within the error
 };
-template <class N>
-Changes changes(Piece<N> const& piece, int n) {
+template <class N, int Degree>
+Changes changes(Piece<N, Degree> const& piece, int n) {
+  // Most pieces have none.
+  bool same = piece.first == piece.last;
+  double const side = piece.first;
+  for (int i = 1; i < n; ++i)
+    same = same & (side * rounded(piece.b[static_cast<std::size_t>(i)]) > piece.error);
   Changes result;
+  if (same) return result;
   int last = piece.first, open = 0;
   for (int i = 1; i <= n; ++i) {
     double const b = rounded(piece.b[static_cast<std::size_t>(i)]);
-    int const sign = i == n ? piece.last : (b > piece.error ? 1 : (b < -piece.error ? -1 : 0));
+    int const sign = i == n ? piece.last : sign_of(b, piece.error);
     if (sign == 0) {
       ++open;
       continue;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 /// All real roots of polynomials whose coefficients carry bounds of their errors (research 3.3).
 ///
@@ -42,11 +43,11 @@ struct Polynomial {
 };
 
 struct PolynomialRoot {
-  double at = 0;
-  double error = 0; ///< bound of its error
-  double slope = 0; ///< first and second derivative there
-  double bend = 0;
-  bool rising = false; ///< from negative to positive
+  double at;
+  double error; ///< bound of its error
+  double slope; ///< first and second derivative there
+  double bend;
+  bool rising; ///< from negative to positive
 };
 struct PolynomialRoots {
   std::array<PolynomialRoot, 4 * largest_degree> root;
@@ -66,15 +67,34 @@ inline int sign_of(Twofold const& value, double) {
   return value.high < 0 || (value.high == 0 && value.low < 0) ? -1 : 1;
 }
 
+/// Which roots of a search are asked for.
+class Wanted {
+public:
+  Wanted() = default; ///< all
+  /// Those from `start` up to `end` or to the first, with a margin on both sides.
+  Wanted(double start, double end, double margin)
+      : from_(start - margin), to_(end + margin), ahead_(start + margin), margin_(margin) {}
+
+  bool any_in(double low, double high) const { return high >= from_ && low <= to_; }
+  void found(PolynomialRoot const& root) {
+    if (root.at - root.error > ahead_) to_ = std::min(to_, root.at + root.error + margin_);
+  }
+
+private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  double from_ = -infinite, to_ = infinite, ahead_ = infinite, margin_ = 0;
+};
+
 /// Appends the roots in (0, 1), ascending. `first` and `last` are the signs at 0 and 1, decided by
 /// the caller, so that neighbouring pieces agree (0: none yet, of doubles only).
 /// @return false, with nothing appended: doubles leave it open
-bool unit_roots(Polynomial<double> const& f, int first, int last, PolynomialRoots& roots);
+bool unit_roots(Polynomial<double> const& f, int first, int last, PolynomialRoots& roots,
+                Wanted wanted = {});
 bool unit_roots(Polynomial<Twofold> const& f, int first, int last, PolynomialRoots& roots);
 
 /// Appends the roots of the whole line, by way of 1 / s beyond [-1, 1].
 /// @return as unit_roots
-bool line_roots(Polynomial<double> f, PolynomialRoots& roots);
+bool line_roots(Polynomial<double> const& f, PolynomialRoots& roots, Wanted wanted = {});
 
 /// f(low + width s) with its error for |s| <= 1, from what f itself is made of; width may be
 /// negative.
@@ -87,9 +107,9 @@ void line_roots(Polynomial<Twofold> f, PieceMaker const& make, PolynomialRoots& 
 /// The roots in (0, 1) of what `make(N{})` makes with double or Twofold coefficients, ascending.
 template <class Make>
 void unit_roots_of(Make const& make, PolynomialRoots& roots) {
-  auto const f = make(double{});
+  Polynomial<double> const f = make(double{});
   if (unit_roots(f, sign_of(f.c[0], f.error), sign_of(f.at_one(), f.error * 2), roots)) return;
-  auto const g = make(Twofold{});
+  Polynomial<Twofold> const g = make(Twofold{});
   unit_roots(g, sign_of(g.c[0], 0), sign_of(g.at_one(), 0), roots);
 }
 
@@ -97,73 +117,68 @@ void unit_roots_of(Make const& make, PolynomialRoots& roots) {
 /// roots.
 double root_uncertainty(double error, double slope, double bend, double third);
 
-// Arithmetic of polynomials; degrees must fit. Errors are the caller's: see `sizes`.
-template <class N>
-void add_to(Polynomial<N>& f, Polynomial<N> const& g) {
-  for (int i = f.degree + 1; i <= g.degree; ++i) f.c[static_cast<std::size_t>(i)] = N(0.0);
-  f.degree = std::max(f.degree, g.degree);
-  for (int i = 0; i <= g.degree; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    f.c[k] = f.c[k] + g.c[k];
+/// A polynomial of a degree that its maker knows: what shapes make theirs of.
+template <class N, int Degree>
+struct Terms {
+  double error = 0;
+  std::array<N, Degree + 1> c;
+
+  operator Polynomial<N>() const {
+    Polynomial<N> f;
+    f.degree = Degree;
+    f.error = error;
+    std::copy(c.begin(), c.end(), f.c.begin());
+    return f;
   }
-  f.error += g.error;
+  /// Sum of the coefficients' sizes.
+  double size() const {
+    double sum = 0;
+    for (N const& k : c) sum += std::fabs(rounded(k));
+    return sum;
+  }
+};
+template <class N>
+Terms<N, 0> constant(N const& value, double error = 0) {
+  return {error, {value}};
 }
-/// The errors of the result cover those of both factors and the rounding.
-template <class N>
-Polynomial<N> product(Polynomial<N> const& f, Polynomial<N> const& g) {
-  Polynomial<N> out;
-  out.degree = f.degree + g.degree;
-  for (int i = 0; i <= out.degree; ++i) out.c[static_cast<std::size_t>(i)] = N(0.0);
-  double f_size = 0, g_size = 0;
-  for (int j = 0; j <= g.degree; ++j)
-    g_size += std::fabs(rounded(g.c[static_cast<std::size_t>(j)]));
-  for (int i = 0; i <= f.degree; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    f_size += std::fabs(rounded(f.c[k]));
-    for (int j = 0; j <= g.degree; ++j) {
-      auto const l = static_cast<std::size_t>(j);
-      out.c[k + l] = out.c[k + l] + f.c[k] * g.c[l];
-    }
-  }
+
+// Their errors cover those of what they are made of and the rounding.
+template <class N, int F, int G>
+Terms<N, F + G> product(Terms<N, F> const& f, Terms<N, G> const& g) {
+  Terms<N, F + G> out;
+  out.c.fill(N(0.0));
+  for (std::size_t i = 0; i <= F; ++i)
+    for (std::size_t j = 0; j <= G; ++j) out.c[i + j] = out.c[i + j] + f.c[i] * g.c[j];
+  double const f_size = f.size(), g_size = g.size();
   out.error = f_size * g.error + f.error * (g_size + g.error)
-              + 2 * (out.degree + 2) * roundoff<N> * f_size * g_size;
+              + 2 * (F + G + 2) * roundoff<N> * f_size * g_size;
   return out;
 }
-template <class N>
-Polynomial<N> times(N const& factor, Polynomial<N> f) {
-  double const size = std::fabs(rounded(factor));
-  double sum = 0;
-  for (int i = 0; i <= f.degree; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    f.c[k] = factor * f.c[k];
-    sum += std::fabs(rounded(f.c[k]));
-  }
-  f.error = f.error * size + 4 * roundoff<N> * sum;
+template <class N, int Degree>
+Terms<N, Degree> times(N const& factor, Terms<N, Degree> f) {
+  for (N& k : f.c) k = factor * k;
+  f.error = f.error * std::fabs(rounded(factor)) + 4 * roundoff<N> * f.size();
   return f;
 }
-/// f + g, with the error of the rounding.
-template <class N>
-Polynomial<N> sum_of(Polynomial<N> f, Polynomial<N> const& g) {
-  add_to(f, g);
-  double sum = 0;
-  for (int i = 0; i <= f.degree; ++i) {
-    auto const k = static_cast<std::size_t>(i);
-    sum += std::fabs(rounded(f.c[k]));
-    if (i <= g.degree) sum += std::fabs(rounded(g.c[k]));
-  }
-  f.error += 4 * roundoff<N> * sum;
+template <class N, int Degree>
+Terms<N, Degree> operator-(Terms<N, Degree> f) {
+  for (N& k : f.c) k = -k;
   return f;
 }
-template <class N>
-Polynomial<N> derivative_of(Polynomial<N> const& f) {
-  Polynomial<N> out;
-  out.degree = std::max(0, f.degree - 1);
+template <class N, int F, int G>
+Terms<N, std::max(F, G)> sum_of(Terms<N, F> const& f, Terms<N, G> const& g) {
+  Terms<N, std::max(F, G)> out;
+  for (std::size_t i = 0; i < out.c.size(); ++i)
+    out.c[i] = i > G ? f.c[i] : (i > F ? g.c[i] : f.c[i] + g.c[i]);
+  out.error = f.error + g.error + 4 * roundoff<N> * (out.size() + g.size());
+  return out;
+}
+template <class N, int Degree>
+Terms<N, std::max(Degree - 1, 0)> derivative_of(Terms<N, Degree> const& f) {
+  Terms<N, std::max(Degree - 1, 0)> out;
   out.c[0] = N(0.0);
-  for (int i = 1; i <= f.degree; ++i) {
-    out.c[static_cast<std::size_t>(i - 1)] =
-        N(static_cast<double>(i)) * f.c[static_cast<std::size_t>(i)];
-  }
-  out.error = f.degree * f.error;
+  for (std::size_t i = 1; i <= Degree; ++i) out.c[i - 1] = N(static_cast<double>(i)) * f.c[i];
+  out.error = Degree * f.error + 4 * roundoff<N> * out.size();
   return out;
 }
 

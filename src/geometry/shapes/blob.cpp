@@ -52,9 +52,9 @@ struct Blob::Walk {
                    Vec3 const& e);
   /// threshold - density, which is < 0 inside, along step = from + width s.
   template <class N>
-  Polynomial<N> along(double from, double width) const;
+  Terms<N, 4> along(double from, double width) const;
   template <class N>
-  Polynomial<N> density(Stretch const& stretch, double from, double width) const;
+  Terms<N, 4> density(Stretch const& stretch, double from, double width) const;
   int side(double step) const;
 };
 
@@ -102,18 +102,16 @@ void Blob::Walk::add_stretches(Component const& c) {
 }
 
 template <class N>
-Polynomial<N> Blob::Walk::density(Stretch const& stretch, double from, double width) const {
+Terms<N, 4> Blob::Walk::density(Stretch const& stretch, double from, double width) const {
   Component const& c = *stretch.component;
   auto const p = close.place<N>(from);
   double const off = close.place_error<N>(from);
-  Polynomial<N> sum; // |q|^2
-  sum.c[0] = N(0.0);
+  Terms<N, 2> rest; // 1 - |q|^2
+  rest.c = {N(1.0), N(0.0), N(0.0)};
   for (int row = 0; row < 3; ++row) {
     if (row == 2 && stretch.part == Part::Body) continue;
-    Polynomial<N> q;
-    q.degree = 1;
-    q.c[0] = N(row == 2 && stretch.part == Part::High ? -c.length : 0.0);
-    q.c[1] = N(0.0);
+    Terms<N, 1> q;
+    q.c = {N(row == 2 && stretch.part == Part::High ? -c.length : 0.0), N(0.0)};
     double size = std::fabs(rounded(q.c[0])), weight = 0;
     for (int column = 0; column < 3; ++column) {
       double const m = c.to_unit[column][row];
@@ -126,22 +124,19 @@ Polynomial<N> Blob::Walk::density(Stretch const& stretch, double from, double wi
               * (std::fabs(rounded(p[k])) + std::fabs(c.centre[column]) + std::fabs(rounded(step)));
     }
     q.error = weight * off + 8 * roundoff<N> * size;
-    sum = sum_of(sum, product(q, q));
+    rest = sum_of(rest, -product(q, q));
   }
-  Polynomial<N> one;
-  one.c[0] = N(1.0);
-  Polynomial<N> const rest = sum_of(one, times(N(-1.0), sum));
   return times(N(c.strength), product(rest, rest));
 }
 
 template <class N>
-Polynomial<N> Blob::Walk::along(double from, double width) const {
-  Polynomial<N> sum;
-  sum.c[0] = N(blob.threshold_);
+Terms<N, 4> Blob::Walk::along(double from, double width) const {
+  Terms<N, 4> sum;
+  sum.c = {N(blob.threshold_), N(0.0), N(0.0), N(0.0), N(0.0)};
   double const middle = from + 0.5 * width;
   for (Stretch const& stretch : stretches) {
     if (!(stretch.begin < middle && middle < stretch.end)) continue;
-    sum = sum_of(sum, times(N(-1.0), density<N>(stretch, from, width)));
+    sum = sum_of(sum, -density<N>(stretch, from, width));
   }
   return sum;
 }
@@ -153,7 +148,7 @@ int Blob::Walk::side(double step) const {
     double error = 0;
     for (Stretch const& stretch : stretches) {
       if (!(stretch.begin <= step && step < stretch.end)) continue;
-      Polynomial<N> const f = density<N>(stretch, step, 0.0);
+      Terms<N, 4> const f = density<N>(stretch, step, 0.0);
       sum = sum - f.c[0];
       error += f.error + 2 * roundoff<N> * (std::fabs(rounded(sum)) + std::fabs(rounded(f.c[0])));
     }

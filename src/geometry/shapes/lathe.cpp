@@ -15,22 +15,6 @@ namespace {
 
 constexpr double level = 0x1p-40;
 
-template <class N>
-Polynomial<N> curve_part(Lathe::Piece const& piece, std::size_t k) {
-  Polynomial<N> f;
-  f.degree = 3;
-  while (f.degree > 0 && piece.c[static_cast<std::size_t>(f.degree)][k] == 0) --f.degree;
-  for (std::size_t i = 0; i < 4; ++i) f.c[i] = N(piece.c[i][k]);
-  return f;
-}
-template <class N>
-Polynomial<N> constant(N const& value, double error) {
-  Polynomial<N> f;
-  f.c[0] = value;
-  f.error = error;
-  return f;
-}
-
 } // namespace
 
 Lathe::Lathe(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
@@ -105,26 +89,25 @@ struct Lathe::Turned {
   }
   /// rise^2 r^2 - |xz of the line where it is at y|^2 rise^2: positive where the line passes
   /// within r of the axis.
-  template <class N>
-  Polynomial<N> meeting(Polynomial<N> const& r, Polynomial<N> const& y) const {
+  template <class N, int Degree>
+  Terms<N, 2 * Degree> meeting(Terms<N, Degree> const& r, Terms<N, Degree> const& y) const {
     double const off = place_error<N>();
     N const px = place<N>(0), py = place<N>(1), pz = place<N>(2);
     double const size = std::fabs(rounded(px)) + std::fabs(rounded(pz)) + off;
     N const dx(d.x), dz(d.z), dy(d.y);
     N const square = px * px + pz * pz, g = px * dx + pz * dz, flat = dx * dx + dz * dz;
     double const u = roundoff<N>;
-    Polynomial<N> const above = sum_of(y, constant(-py, off));
-    Polynomial<N> const away = constant(square, size * (4 * off + 6 * u * size));
-    Polynomial<N> const across = constant(g, 4 * (off + 4 * u * size));
-    Polynomial<N> const radial = sum_of(product(r, r), times(N(-1.0), away));
+    auto const above = sum_of(y, constant(-py, off));
+    auto const away = constant(-square, size * (4 * off + 6 * u * size));
+    auto const across = constant(g, 4 * (off + 4 * u * size));
+    auto const radial = sum_of(product(r, r), away);
     // rise^2 (r^2 - |p|^2) - Y (2 rise g + |d_xz|^2 Y), Y = y - p.y
-    Polynomial<N> const tilt =
-        sum_of(times(N(2.0) * dy, across), product(constant(flat, 8 * u), above));
-    return sum_of(times(dy * dy, radial), times(N(-1.0), product(above, tilt)));
+    auto const tilt = sum_of(times(N(2.0) * dy, across), product(constant(flat, 8 * u), above));
+    return sum_of(times(dy * dy, radial), -product(above, tilt));
   }
   int meets(double radius, double height) const {
     auto const decide = [&]<class N>(N) {
-      auto const f = meeting<N>(constant(N(radius), 0), constant(N(height), 0));
+      auto const f = meeting(constant(N(radius)), constant(N(height)));
       return sign_of(f.c[0], f.error);
     };
     int const first = decide(double{});
@@ -142,10 +125,12 @@ void Lathe::piece_crossings(Turned const& line, std::size_t k, Crossings& out) c
   PolynomialRoots roots;
   int const first = line.meets(piece.begin[0], piece.begin[1]);
   int const last = line.meets(piece.end[0], piece.end[1]);
-  auto const f = [&]<class N>(N) {
-    return line.meeting<N>(curve_part<N>(piece, 0), curve_part<N>(piece, 1));
-  };
-  if (!unit_roots(f(double{}), first, last, roots)) unit_roots(f(Twofold{}), first, last, roots);
+  piece.with_degree([&](auto degree) {
+    auto const f = [&]<class N>(N) {
+      return line.meeting(piece.terms<N, degree()>(0), piece.terms<N, degree()>(1));
+    };
+    if (!unit_roots(f(double{}), first, last, roots)) unit_roots(f(Twofold{}), first, last, roots);
+  });
   double const g = line.p.x * line.d.x + line.p.z * line.d.z;
   double const p2 = line.p.x * line.p.x + line.p.z * line.p.z;
   for (PolynomialRoot const& root : roots) {
@@ -207,7 +192,7 @@ void Lathe::level_crossings(Turned const& line, Crossings& out) const {
     Piece const& piece = pieces_[k];
     if (!(boxes_[k].low <= line.p.y && line.p.y <= boxes_[k].high)) continue;
     auto const f = [&]<class N>(N) {
-      return sum_of(curve_part<N>(piece, 1), constant(-line.place<N>(1), line.place_error<N>()));
+      return sum_of(piece.terms<N, 3>(1), constant(-line.place<N>(1), line.place_error<N>()));
     };
     auto const side = [&](double height) {
       Twofold const rise = Twofold(height) - line.place<Twofold>(1);
@@ -311,9 +296,7 @@ bool Lathe::inside(Vec3 const& point) const {
     Piece const& piece = pieces_[k];
     if (!(boxes_[k].low <= point.y && point.y <= boxes_[k].high)) continue;
     PolynomialRoots roots;
-    auto const f = [&]<class N>(N) {
-      return sum_of(curve_part<N>(piece, 1), constant(N(-point.y), 0));
-    };
+    auto const f = [&]<class N>(N) { return sum_of(piece.terms<N, 3>(1), constant(N(-point.y))); };
     int const first = piece.begin[1] < point.y ? -1 : 1, last = piece.end[1] < point.y ? -1 : 1;
     if (!unit_roots(f(double{}), first, last, roots)) unit_roots(f(Twofold{}), first, last, roots);
     for (PolynomialRoot const& root : roots)
@@ -335,13 +318,15 @@ double Lathe::nearest(Piece const& piece, Vec3 const& point) const {
     take(0);
     take(1);
     PolynomialRoots roots;
-    unit_roots_of(
-        [&]<class N>(N) {
-          Polynomial<N> const r = curve_part<N>(piece, 0), h = curve_part<N>(piece, 1);
-          return sum_of(product(sum_of(r, constant(N(-distance), 0)), derivative_of(r)),
-                        product(sum_of(h, constant(N(-y), 0)), derivative_of(h)));
-        },
-        roots);
+    piece.with_degree([&](auto degree) {
+      unit_roots_of(
+          [&]<class N>(N) {
+            auto const r = piece.terms<N, degree()>(0), h = piece.terms<N, degree()>(1);
+            return sum_of(product(sum_of(r, constant(N(-distance))), derivative_of(r)),
+                          product(sum_of(h, constant(N(-y))), derivative_of(h)));
+          },
+          roots);
+    });
     for (PolynomialRoot const& root : roots) take(root.at);
   }
   return at;

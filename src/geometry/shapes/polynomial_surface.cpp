@@ -18,13 +18,13 @@ struct Accumulator {
   int degree = -1;
   std::array<N, largest_degree + 1> c;
 
-  void times_linear(N const& p, N const& e, bool constant) {
+  void times_linear(N const& p, N const& e) {
     if (degree < 0) return;
     auto const top = static_cast<std::size_t>(degree);
-    if (!constant) c[top + 1] = e * c[top];
-    for (std::size_t i = top; i > 0; --i) c[i] = constant ? c[i] * p : c[i] * p + c[i - 1] * e;
+    c[top + 1] = e * c[top];
+    for (std::size_t i = top; i > 0; --i) c[i] = c[i] * p + c[i - 1] * e;
     c[0] = c[0] * p;
-    degree += constant ? 0 : 1;
+    ++degree;
   }
   void add(double k) {
     if (k == 0 && degree < 0) return;
@@ -37,6 +37,44 @@ struct Accumulator {
       c[k] = i <= degree ? c[k] + other.c[k] : other.c[k];
     }
     degree = std::max(degree, other.degree);
+  }
+};
+
+/// Where x, y and z along a line are p + e s: polynomials in s of the orders that scenes mostly
+/// have, by the same scheme with nothing left to decide.
+struct Composer {
+  double const* k; ///< the next coefficient
+  std::array<double, 3> const &p, &e;
+
+  /// Of the powers of the axes from `Axis` on, of an order that is M - 1.
+  template <std::size_t M, std::size_t Axis = 0>
+  std::array<double, M> along() {
+    return next<M, Axis>(of_order<1, Axis>());
+  }
+
+private:
+  template <std::size_t M, std::size_t Axis, std::size_t Done>
+  std::array<double, M> next(std::array<double, Done> const& f) {
+    if constexpr (Done == M) {
+      return f;
+    } else {
+      auto out = of_order<Done + 1, Axis>();
+      out[0] = f[0] * p[Axis] + out[0];
+      for (std::size_t i = 1; i < Done; ++i) out[i] = f[i] * p[Axis] + f[i - 1] * e[Axis] + out[i];
+      out[Done] = f[Done - 1] * e[Axis] + out[Done];
+      return next<M, Axis>(out);
+    }
+  }
+  /// What the next powers of the axis are times.
+  template <std::size_t M, std::size_t Axis>
+  std::array<double, M> of_order() {
+    if constexpr (Axis < 2) {
+      return along<M, Axis + 1>();
+    } else {
+      std::array<double, M> constant{};
+      constant[0] = *k++;
+      return constant;
+    }
   }
 };
 
@@ -98,7 +136,17 @@ double PolynomialSurface::size_within(double reach) const {
 
 template <class N>
 Polynomial<N> PolynomialSurface::along(std::array<N, 3> const& p, std::array<N, 3> const& e) const {
-  bool const still[3] = {rounded(e[0]) == 0, rounded(e[1]) == 0, rounded(e[2]) == 0};
+  if constexpr (std::is_same_v<N, double>) {
+    Composer composer{coefficients_.data(), p, e};
+    auto const of = [](auto const& c) {
+      Polynomial<double> f;
+      f.degree = static_cast<int>(c.size()) - 1;
+      std::copy(c.begin(), c.end(), f.c.begin());
+      return f;
+    };
+    if (order_ == 3) return of(composer.along<4>());
+    if (order_ == 4) return of(composer.along<5>());
+  }
   Accumulator<N> in_x, in_y, in_z;
   std::size_t next = 0;
   in_x.degree = -1;
@@ -107,13 +155,13 @@ Polynomial<N> PolynomialSurface::along(std::array<N, 3> const& p, std::array<N, 
     for (int b = order_ - a; b >= 0; --b) {
       in_z.degree = -1;
       for (int c = order_ - a - b; c >= 0; --c) {
-        in_z.times_linear(p[2], e[2], still[2]);
+        in_z.times_linear(p[2], e[2]);
         in_z.add(coefficients_[next++]);
       }
-      in_y.times_linear(p[1], e[1], still[1]);
+      in_y.times_linear(p[1], e[1]);
       in_y.add(in_z);
     }
-    in_x.times_linear(p[0], e[0], still[0]);
+    in_x.times_linear(p[0], e[0]);
     in_x.add(in_y);
   }
   Polynomial<N> f;
@@ -169,19 +217,26 @@ Polynomial<Twofold> PolynomialSurface::compose_piece(Window const& w, Twofold co
   return f;
 }
 
-void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+void PolynomialSurface::find(Ray const& ray, Start const* start, double until, bool all,
+                             Crossings& out) const {
   Window w;
   w.line = line_of(ray);
   Vec3 const& d = ray.direction;
   w.near = approach(w.line, -glm::dot(ray.origin, d) / glm::dot(d, d));
   Vec3 const p(w.near.point.x, w.near.point.y, w.near.point.z);
   double const length = vector_length(d), away = vector_length(p);
-  double const wanted = std::max(feature_, away > 0 ? power_of_two_from(away) : 0.0);
-  w.unit = wanted * std::exp2(-std::ilogb(length));
-  w.reach = away + 2 * wanted;
+  double const window = std::max(feature_, away > 0 ? power_of_two_from(away) : 0.0);
+  w.unit = window * std::exp2(-std::ilogb(length));
+  w.reach = away + 2 * window;
 
+  Wanted wanted;
+  if (!all) {
+    // By more than the errors of crossings there.
+    double const margin = 0x1p-20 * (w.reach + std::fabs(w.near.t) * length) / (w.unit * length);
+    wanted = Wanted(-w.near.t / w.unit, (until - w.near.t) / w.unit, margin);
+  }
   PolynomialRoots roots;
-  if (!line_roots(compose(w), roots)) {
+  if (!line_roots(compose(w), roots, wanted)) {
     PieceMaker const make = [&](Twofold const& low, double width) {
       return compose_piece(w, low, width);
     };
@@ -191,24 +246,26 @@ void PolynomialSurface::crossings(Ray const& ray, Start const* start, Crossings&
   for (PolynomialRoot const& root : roots) {
     double const step = root.at * w.unit, t = w.near.t + step;
     Vec3 const at = p + step * d;
-    Local const here = local<false>(at), sizes = local<true>(glm::abs(at));
+    Local const here = local<false>(at);
     Vec3 const size = glm::abs(here.slope);
     auto const moved = [&](lane::Vec<double> const& by) {
       return lane::dot({size.x, size.y, size.z}, by);
     };
     double const off = moved(w.line.origin_rounding + std::fabs(t) * w.line.direction_rounding);
-    // The polynomial along the line has the error of all of its window; what is left of the value
-    // here, and its rounding, often tell more.
-    Vec3 const place = glm::abs(at) + 2 * std::fabs(step) * glm::abs(d);
-    double const left = std::fabs(here.value) + gamma_bound(6 * (order_ + 2)) * sizes.value
-                        + moved(w.near.rounding + std::fabs(step) * w.line.direction_rounding)
-                        + gamma_bound(2) * glm::dot(sizes.slope, place);
+    double error = root.error + root_motion(off, root.slope, root.bend);
+    if (all || t + w.unit * error > 0) {
+      // The polynomial along the line has the error of all of its window; what is left of the value
+      // here, and its rounding, often tell more.
+      Local const sizes = local<true>(glm::abs(at));
+      Vec3 const place = glm::abs(at) + 2 * std::fabs(step) * glm::abs(d);
+      double const left = std::fabs(here.value) + gamma_bound(6 * (order_ + 2)) * sizes.value
+                          + moved(w.near.rounding + std::fabs(step) * w.line.direction_rounding)
+                          + gamma_bound(2) * glm::dot(sizes.slope, place);
+      error = std::min(error, root_motion(left, root.slope, root.bend));
+    }
     Crossing c;
     c.t = t;
-    c.error = w.unit
-                  * std::min(root.error + root_motion(off, root.slope, root.bend),
-                             root_motion(left, root.slope, root.bend))
-              + gamma_bound(2) * (std::fabs(t) + std::fabs(step));
+    c.error = w.unit * error + gamma_bound(2) * (std::fabs(t) + std::fabs(step));
     c.slack = w.unit * root_motion(moved(w.line.slack), root.slope, root.bend);
     c.entering = !root.rising;
     out.push_back(c);

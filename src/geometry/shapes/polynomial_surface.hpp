@@ -5,6 +5,7 @@
 #include "geometry/roots.hpp"
 #include "geometry/shape.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace abbe::geometry {
@@ -34,12 +35,20 @@ class PolynomialSurface final : public Shape {
 public:
   /// @param coefficients as in the scene language; finite, some power with one that is not zero
   PolynomialSurface(int order, std::vector<double> coefficients);
-  void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings(Ray const& ray, Start const* start, Crossings& out) const override {
+    find(ray, start, std::numeric_limits<double>::infinity(), true, out);
+  }
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override {
+    find(ray, start, until, start != nullptr, out);
+  }
   bool inside(Vec3 const& point) const override { return local<false>(point).value < 0; }
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
 
 private:
+  /// @param all else only what crossings_ahead() has to find
+  void find(Ray const& ray, Start const* start, double until, bool all, Crossings& out) const;
   struct Window; ///< a line and the unit that it is measured in
   struct Local {
     double value;

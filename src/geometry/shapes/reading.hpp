@@ -53,6 +53,8 @@ inline std::optional<std::vector<Vec2>> read_points(Parameters& parameters, int 
 
 /// Length without overflow or underflow of the squares.
 inline double vector_length(Vec3 const& v) {
+  double const square = glm::dot(v, v);
+  if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
   return simd::hypot(simd::hypot(v.x, v.y), v.z);
 }
 /// v / |v|, of the same bits when v is scaled by a power of two. @param v finite, not zero

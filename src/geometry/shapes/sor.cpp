@@ -53,31 +53,25 @@ struct Sor::Walk {
 
   /// Along step = from + width s.
   template <class N>
-  Polynomial<N> along(Piece const& piece, double from, double width) const {
+  Terms<N, 3> along(Piece const& piece, double from, double width) const {
     auto const p = close.place<N>(from);
     double const off = close.place_error<N>(from);
     auto const linear = [&](std::size_t i) {
-      Polynomial<N> f;
-      f.degree = 1;
-      f.c[0] = p[i];
-      f.c[1] = N(width) * N(close.direction[static_cast<int>(i)]);
+      Terms<N, 1> f;
+      f.c = {p[i], N(width) * N(close.direction[static_cast<int>(i)])};
       f.error = off + roundoff<N> * std::fabs(rounded(f.c[1]));
       return f;
     };
-    Polynomial<N> const x = linear(0), z = linear(2);
-    Polynomial<N> v = linear(1);
+    Terms<N, 1> const x = linear(0), z = linear(2);
+    Terms<N, 1> v = linear(1);
     v.c[0] = v.c[0] - N(piece.low);
     v.error += 2 * roundoff<N> * (std::fabs(rounded(p[1])) + std::fabs(piece.low));
     v = times(N(piece.inverse), v);
-    Polynomial<N> square;
-    square.c[0] = N(piece.c[3]);
-    for (std::size_t i = 3; i-- > 0;) {
-      square = product(square, v);
-      Polynomial<N> constant;
-      constant.c[0] = N(piece.c[i]);
-      square = sum_of(square, constant);
-    }
-    return sum_of(sum_of(product(x, x), product(z, z)), times(N(-1.0), square));
+    auto const with = [&](auto const& f, std::size_t i) {
+      return sum_of(product(f, v), constant(N(piece.c[i])));
+    };
+    auto const square = with(with(with(constant(N(piece.c[3])), 2), 1), 0);
+    return sum_of(sum_of(product(x, x), product(z, z)), -square);
   }
 };
 

@@ -14,19 +14,6 @@ namespace {
 
 using Piece = SphereSweep::Piece;
 
-template <class N>
-Polynomial<N> curve_part(Piece const& piece, std::size_t k) {
-  Polynomial<N> f;
-  f.degree = 3;
-  while (f.degree > 0 && piece.c[static_cast<std::size_t>(f.degree)][k] == 0) --f.degree;
-  for (std::size_t i = 0; i < 4; ++i) f.c[i] = N(piece.c[i][k]);
-  return f;
-}
-template <class N>
-Polynomial<N> difference(Polynomial<N> const& a, Polynomial<N> const& b) {
-  return sum_of(a, times(N(-1.0), b));
-}
-
 /// The part of the line within the balls of a stretch of u.
 struct Cover {
   Crossing in, out;
@@ -50,55 +37,46 @@ struct SphereSweep::Walk {
     d = ray.direction * unit;
   }
 
-  /// Centre less the line's point, and what follows from it.
-  template <class N>
-  struct Parts {
-    std::array<Polynomial<N>, 3> from;
-    Polynomial<N> radius;
-  };
-  template <class N>
-  Parts<N> parts(Piece const& piece) const {
-    Parts<N> result;
+  /// Centre less the line's point, along a piece whose coordinates are of a degree.
+  template <class N, int Degree>
+  std::array<Terms<N, Degree>, 3> from_line(Piece const& piece) const {
+    std::array<Terms<N, Degree>, 3> result;
     auto const p = close.place<N>(0.0);
     double const off = close.place_error<N>(0.0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      Polynomial<N> place;
-      place.c[0] = -p[k];
-      place.error = off;
-      result.from[k] = sum_of(curve_part<N>(piece, k), place);
-    }
-    result.radius = curve_part<N>(piece, 3);
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = sum_of(piece.terms<N, Degree>(k), constant(-p[k], off));
     return result;
   }
   /// |d|^2 r^2 - |d x (centre - point)|^2: positive where the ball meets the line.
-  template <class N>
-  Polynomial<N> meeting(Piece const& piece) const {
-    Parts<N> const part = parts<N>(piece);
+  template <class N, int Degree>
+  Terms<N, 2 * Degree> meeting(Piece const& piece) const {
+    auto const from = from_line<N, Degree>(piece);
+    auto const radius = piece.terms<N, Degree>(3);
     N const x(d.x), y(d.y), z(d.z);
     auto const across = [&](std::size_t i, std::size_t j, N const& di, N const& dj) {
-      auto const f = difference(times(di, part.from[j]), times(dj, part.from[i]));
+      auto const f = sum_of(times(di, from[j]), -times(dj, from[i]));
       return product(f, f);
     };
-    Polynomial<N> const miss =
-        sum_of(sum_of(across(1, 2, y, z), across(2, 0, z, x)), across(0, 1, x, y));
-    return difference(times(x * x + y * y + z * z, product(part.radius, part.radius)), miss);
+    auto const miss = sum_of(sum_of(across(1, 2, y, z), across(2, 0, z, x)), across(0, 1, x, y));
+    return sum_of(times(x * x + y * y + z * z, product(radius, radius)), -miss);
   }
   /// Zero where dt/du is: a C'^2 - 4 b b' C' + 4 b'^2 C, of a t^2 - 2 b t + C = 0.
-  template <class N>
-  Polynomial<N> turning(Piece const& piece) const {
-    Parts<N> const part = parts<N>(piece);
+  template <class N, int Degree>
+  auto turning(Piece const& piece) const {
+    auto const from = from_line<N, Degree>(piece);
+    auto const radius = piece.terms<N, Degree>(3);
     N const dir[3] = {N(d.x), N(d.y), N(d.z)};
-    Polynomial<N> b = times(dir[0], part.from[0]);
-    Polynomial<N> c = product(part.from[0], part.from[0]);
+    auto b = times(dir[0], from[0]);
+    auto c = product(from[0], from[0]);
     for (std::size_t k = 1; k < 3; ++k) {
-      b = sum_of(b, times(dir[k], part.from[k]));
-      c = sum_of(c, product(part.from[k], part.from[k]));
+      b = sum_of(b, times(dir[k], from[k]));
+      c = sum_of(c, product(from[k], from[k]));
     }
-    c = difference(c, product(part.radius, part.radius));
+    c = sum_of(c, -product(radius, radius));
     N const a = dir[0] * dir[0] + dir[1] * dir[1] + dir[2] * dir[2];
-    Polynomial<N> const b1 = derivative_of(b), c1 = derivative_of(c);
-    Polynomial<N> const first =
-        product(c1, difference(times(a, c1), times(N(4.0), product(b, b1))));
+    auto const b1 = derivative_of(b);
+    auto const c1 = derivative_of(c);
+    auto const first = product(c1, sum_of(times(a, c1), -times(N(4.0), product(b, b1))));
     return sum_of(first, times(N(4.0), product(product(b1, b1), c)));
   }
 
@@ -107,6 +85,8 @@ struct SphereSweep::Walk {
   void stretch(Piece const& piece, PolynomialRoots const& turns, double low, double high,
                std::uint32_t face);
   void add_piece(Piece const& piece, std::uint32_t face);
+  template <int Degree>
+  void add_piece_of(Piece const& piece, std::uint32_t face);
 };
 
 bool SphereSweep::Walk::ball(Piece const& piece, double u, std::uint32_t face, Crossing& in,
@@ -163,21 +143,26 @@ void SphereSweep::Walk::stretch(Piece const& piece, PolynomialRoots const& turns
 }
 
 void SphereSweep::Walk::add_piece(Piece const& piece, std::uint32_t face) {
+  piece.with_degree([&](auto degree) { add_piece_of<degree()>(piece, face); });
+}
+
+template <int Degree>
+void SphereSweep::Walk::add_piece_of(Piece const& piece, std::uint32_t face) {
   PolynomialRoots ends;
-  auto const f = meeting<double>(piece);
+  Polynomial<double> const f = meeting<double, Degree>(piece);
   int first = sign_of(f.c[0], f.error);
   int const last = sign_of(f.at_one(), 2 * f.error);
   if (!unit_roots(f, first, last, ends)) {
-    auto const g = meeting<Twofold>(piece);
+    Polynomial<Twofold> const g = meeting<Twofold, Degree>(piece);
     first = sign_of(g.c[0], 0);
     unit_roots(g, first, sign_of(g.at_one(), 0), ends);
   }
   if (ends.count == 0 && first < 0) return;
   PolynomialRoots turns;
-  unit_roots_of([&]<class N>(N) { return turning<N>(piece); }, turns);
+  unit_roots_of([&]<class N>(N) { return turning<N, Degree>(piece); }, turns);
   // Across the curve, the turning points in and out are one: a double root, beside the largest
   // ball.
-  unit_roots_of([&]<class N>(N) { return derivative_of(meeting<N>(piece)); }, turns);
+  unit_roots_of([&]<class N>(N) { return derivative_of(meeting<N, Degree>(piece)); }, turns);
   double from = 0;
   bool inside = first > 0;
   for (PolynomialRoot const& end : ends) {
@@ -260,19 +245,20 @@ double SphereSweep::deepest(Piece const& piece, Vec3 const& point, double& depth
   take(0);
   take(1);
   PolynomialRoots roots;
-  unit_roots_of(
-      [&]<class N>(N) {
-        Polynomial<N> const r = curve_part<N>(piece, 3);
-        Polynomial<N> sum = times(N(-1.0), product(r, derivative_of(r)));
-        for (std::size_t k = 0; k < 3; ++k) {
-          Polynomial<N> const c = curve_part<N>(piece, k);
-          Polynomial<N> place;
-          place.c[0] = N(-point[static_cast<int>(k)]);
-          sum = sum_of(sum, product(sum_of(c, place), derivative_of(c)));
-        }
-        return sum;
-      },
-      roots);
+  piece.with_degree([&](auto degree) {
+    unit_roots_of(
+        [&]<class N>(N) {
+          auto const r = piece.terms<N, degree()>(3);
+          auto sum = -product(r, derivative_of(r));
+          for (std::size_t k = 0; k < 3; ++k) {
+            auto const c = piece.terms<N, degree()>(k);
+            N const place(-point[static_cast<int>(k)]);
+            sum = sum_of(sum, product(sum_of(c, constant(place)), derivative_of(c)));
+          }
+          return sum;
+        },
+        roots);
+  });
   for (PolynomialRoot const& root : roots) take(root.at);
   return at;
 }

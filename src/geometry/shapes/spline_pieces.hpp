@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/parameters.hpp"
+#include "geometry/roots.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace abbe::geometry {
@@ -34,7 +37,22 @@ struct CurvePiece {
   using Point = std::array<double, D>;
   std::array<Point, 4> c;
   Point begin, end;
+  int degree = 3; ///< of all coordinates
 
+  /// The curve's coordinate k as a polynomial. @pre degree <= Degree
+  template <class N, int Degree>
+  Terms<N, Degree> terms(std::size_t k) const {
+    Terms<N, Degree> f;
+    for (std::size_t i = 0; i <= Degree; ++i) f.c[i] = N(c[i][k]);
+    return f;
+  }
+  /// work(degree as a constant, 1 to 3)
+  template <class Work>
+  auto with_degree(Work const& work) const {
+    if (degree == 1) return work(std::integral_constant<int, 1>());
+    if (degree == 2) return work(std::integral_constant<int, 2>());
+    return work(std::integral_constant<int, 3>());
+  }
   double at(std::size_t k, double u) const {
     return ((c[3][k] * u + c[2][k]) * u + c[1][k]) * u + c[0][k];
   }
@@ -66,6 +84,11 @@ std::vector<CurvePiece<D>> spline_pieces(SplineKind kind,
       piece.begin[k] = begin(k);
       piece.end[k] = end(k);
     }
+    auto const none = [&](std::size_t power) {
+      return std::all_of(piece.c[power].begin(), piece.c[power].end(),
+                         [](double c) { return c == 0; });
+    };
+    while (piece.degree > 1 && none(static_cast<std::size_t>(piece.degree))) --piece.degree;
     pieces.push_back(piece);
   };
   auto const point = [&](std::size_t i) { return [&p, i](std::size_t k) { return p[i][k]; }; };

@@ -2,7 +2,6 @@
 #include "geometry/shapes/superellipsoid.hpp"
 
 #include "geometry/field_roots.hpp"
-#include "geometry/shapes/bracket.hpp"
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
@@ -72,11 +71,6 @@ public:
     return {size, slope};
   }
 
-  /// Where both powers are at least 1, the size is a norm: along a line it falls, then rises.
-  bool convex() const { return p_ >= 1 && q_ >= 1; }
-  bool convex_roots(FieldLine const& line, double low, double high,
-                    std::vector<FieldRoot>& roots) const;
-
 private:
   /// (part / whole)^(k - 1), 0 <= part <= whole.
   static Interval share(Interval const& part, Interval const& whole, double k) {
@@ -99,64 +93,118 @@ private:
   double p_, q_;
 };
 
-/// The short way: tangents from both sides part what can be inside from what cannot (Kelley).
-/// @return false, with nothing appended, where rounding could decide: for field_roots
-bool Superellipsoid::Size::convex_roots(FieldLine const& line, double low, double high,
-                                        std::vector<FieldRoot>& roots) const {
-  auto const at = [&](double t) {
-    Vec3 const p = line.origin + t * line.direction;
-    return std::pair{value(p) - 1, glm::dot(gradient(p), line.direction)};
+/// How far the size is above 1, and how that changes along a line.
+template <class L>
+struct Superellipsoid::Local {
+  L value, slope;
+};
+
+template <class L>
+Superellipsoid::Local<L> Superellipsoid::local(lane::Vec<L> const& point,
+                                               lane::Vec<L> const& direction) const {
+  L const zero(0.0), one(1.0);
+  struct Part {
+    L size, slope; ///< of a side that is at least 0
   };
-  // Of values near 1 or below; those above only part more.
-  double const doubt = 4 * library * gamma_bound(2);
-  auto left = at(low), right = at(high);
-  double a = low, b = high, inner = low;
-  bool found = false;
-  for (int i = 0; i < 60 && !found; ++i) {
-    if (!(left.second < 0 && right.second > 0)) {
-      // It falls or rises all the way from an end that is outside.
-      return left.second > 0 && left.first > doubt ? true : right.second < 0 && right.first > doubt;
-    }
-    // Where the tangents meet, the size is not below them.
-    double const meet = (right.first - left.first + left.second * a - right.second * b)
-                        / (left.second - right.second);
-    double const bound = left.first + left.second * (meet - a);
-    if (bound > doubt * (2 + std::fabs(left.first) + std::fabs(right.first))) return true;
-    double const next = meet > a && meet < b ? meet : 0.5 * (a + b);
-    auto const middle = at(next);
-    if (!(next > a && next < b)) return false;
-    if (middle.first < -doubt) {
-      found = true;
-      inner = next;
-    } else if (middle.second < 0) {
-      a = next;
-      left = middle;
-    } else {
-      b = next;
-      right = middle;
-    }
+  auto const side = [&](L const& place, L const& speed) {
+    return Part{lane::abs(place), lane::select(place < zero, -speed, speed)};
+  };
+  // (a^k + b^k)^(1/k) = most (1 + u)^(1/k), u = (least / most)^k.
+  auto const joined = [&](Part const& a, Part const& b, double k) {
+    auto const first = b.size <= a.size;
+    L const most = lane::select(first, a.size, b.size);
+    L const ratio = lane::select(most == zero, zero, lane::select(first, b.size, a.size) / most);
+    L const u = lane::exp(L(k) * lane::log(ratio)), whole = one + u;
+    L const root = lane::exp(lane::log(whole) * L(1 / k));
+    L const of_most = root / whole; // (most / joined)^(k - 1)
+    L const of_least = lane::select(ratio == zero, L(k == 1 ? 1.0 : 0.0), of_most * u / ratio);
+    return Part{most * root, lane::select(first, of_most, of_least) * a.slope
+                                 + lane::select(first, of_least, of_most) * b.slope};
+  };
+  Part const ring = joined(side(point.x, direction.x), side(point.y, direction.y), p_);
+  Part const all = joined(ring, side(point.z, direction.z), q_);
+  return {all.size - one, all.slope};
+}
+
+template <class L>
+Slice<L> Superellipsoid::slice(Line<L> const& line) const {
+  L const zero(0.0), far(infinity);
+  lane::Vec<L> const& d = line.direction;
+  L const shift = -lane::dot(line.origin, d) / lane::dot(d, d);
+  Approach<L> const near = approach(line, shift);
+  L const off = lane::sum(near.rounding);
+  // From faces of the cube, where the size is above 1.
+  L low = -far, high = far;
+  auto missed = zero < zero;
+  auto const cut = [&](L const& place, L const& speed) {
+    L const wall = L(1 + gamma_bound(16)) + off + L(gamma_bound(16)) * lane::abs(place);
+    auto const along = speed == zero;
+    L const a = (-wall - place) / speed, b = (wall - place) / speed;
+    low = lane::max(low, lane::select(along, -far, lane::min(a, b)));
+    high = lane::min(high, lane::select(along, far, lane::max(a, b)));
+    missed = lane::either(missed, lane::both(along, wall < lane::abs(place)));
+  };
+  cut(near.point.x, d.x);
+  cut(near.point.y, d.y);
+  cut(near.point.z, d.z);
+  missed = lane::either(missed, lane::negate(low < high));
+  auto const at = [&](L const& step) { return local<L>(near.point + step * d, d); };
+  Slice<L> out{{far, zero, zero}, {-far, zero, zero}, zero, zero};
+  if (lane::none(lane::negate(missed))) return out;
+
+  // Values that rounding cannot tell from zero, of a size near 1.
+  L const unsure(gamma_bound(24));
+  Local<L> left = at(low), right = at(high);
+  constexpr int most_steps = 100;
+  for (int i = 0; i < most_steps; ++i) {
+    auto const left_open = unsure < left.value, right_open = unsure < right.value;
+    auto const open = lane::both(lane::negate(missed), lane::either(left_open, right_open));
+    if (lane::none(open)) break;
+    // It rises from the left end on, or falls to the right end: 1 is not reached.
+    missed = lane::either(
+        missed, lane::both(open, lane::either(lane::both(left_open, zero <= left.slope),
+                                              lane::both(right_open, right.slope <= zero))));
+    L const next_low = lane::select(left_open, low - left.value / left.slope, low);
+    L const next_high = lane::select(right_open, high - right.value / right.slope, high);
+    missed = lane::either(missed, lane::both(open, next_high < next_low));
+    auto const goes_on = lane::both(open, lane::negate(missed));
+    if (lane::none(goes_on)) break;
+    low = lane::select(goes_on, next_low, low);
+    high = lane::select(goes_on, next_high, high);
+    left = at(low);
+    right = at(high);
   }
-  if (!found) return false;
-  for (bool const rising : {false, true}) {
-    double const from = rising ? inner : a, to = rising ? b : inner;
-    if (!((rising ? right : left).first > doubt)) {
-      roots.clear();
-      return false;
-    }
-    FieldRoot root;
-    root.rising = rising;
-    root.at = bracketed_root(at, from, to, rising);
-    root.error = field_root_error(line, root.at, rising, high - low);
-    roots.push_back(root);
-  }
-  return true;
+  auto const met = lane::both(lane::negate(missed), low < high);
+  if (lane::none(met)) return out;
+  L const chord = high - low;
+  auto const root = [&](L const& step, L const& inwards, L const& slope) {
+    lane::Vec<L> const moved = near.rounding + lane::abs(step) * line.direction_rounding;
+    L const e = unsure + local<L>(lane::abs(near.point + step * d), moved).slope;
+    L const steep = lane::abs(slope);
+    L const motion = L(2.0) * e / steep;
+    // Outwards it is as steep at least; inwards the value there tells.
+    auto const certain = lane::both(motion < chord, at(step + inwards * motion).value < -e);
+    L const t = near.t + step;
+    return Root<L>{t,
+                   lane::select(certain, motion, motion + chord)
+                       + L(gamma_bound(2)) * (lane::abs(t) + lane::abs(step)),
+                   L(2.0) * lane::sum(line.slack) / steep};
+  };
+  out.in = select(met, root(low, L(1.0), left.slope), out.in);
+  out.out = select(met, root(high, L(-1.0), right.slope), out.out);
+  return out;
 }
 
 Superellipsoid::Superellipsoid(double east, double north)
-    : size_(std::make_shared<Size>(east, north)), ball_(std::sqrt(3.0) * (1 + gamma_bound(8))) {}
+    : p_(2 / east),
+      q_(2 / north),
+      convex_(p_ >= 1 && q_ >= 1),
+      size_(std::make_shared<Size>(east, north)),
+      ball_(std::sqrt(3.0) * (1 + gamma_bound(8))) {}
 Superellipsoid::~Superellipsoid() = default;
 
 void Superellipsoid::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  if (convex_) return ConvexShape::crossings(ray, start, out);
   CloseLine const close(ray, ball_);
   std::size_t const first = out.size();
   double low = -close.half, high = close.half;
@@ -184,11 +232,9 @@ void Superellipsoid::crossings(Ray const& ray, Start const* start, Crossings& ou
       double const at = -line.origin[i] / line.direction[i];
       if (at > stops[0] && at < stops[1]) stops[count++] = at;
     }
-    if (!(size_->convex() && size_->convex_roots(line, stops[0], stops[1], roots))) {
-      std::sort(stops, stops + count);
-      for (int i = 0; i + 1 < count; ++i) {
-        if (stops[i] < stops[i + 1]) field_roots(line, stops[i], stops[i + 1], roots);
-      }
+    std::sort(stops, stops + count);
+    for (int i = 0; i + 1 < count; ++i) {
+      if (stops[i] < stops[i + 1]) field_roots(line, stops[i], stops[i + 1], roots);
     }
     for (FieldRoot const& root : roots) {
       Vec3 const at = line.origin + root.at * line.direction;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/parameters.hpp"
-#include "geometry/shape.hpp"
+#include "geometry/shapes/convex.hpp"
 
 namespace abbe::geometry {
 
@@ -18,13 +18,21 @@ The body (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1: a sphere for <1, 1>, a 
 /// Canonical form: as given; within the cube [-1, 1]^3. One face, 0.
 ///
 /// Its size at a point, ((|x|^p + |y|^p)^(q/p) + |z|^q)^(1/q) with p = 2/e and q = 2/n, grows with
-/// |x|, |y| and |z|: so its range over a box is that of two corners, without loss, and field_roots
-/// finds where it passes 1. It never overflows, for it is made of ratios to the largest.
-class Superellipsoid final : public Shape {
+/// |x|, |y| and |z|. Where both powers are at least 1 it is a norm: along a line it falls, then
+/// rises, and Newton's method from both sides comes to its two roots without passing them, for
+/// several lines at once. Else its range over a box is that of two corners, without loss, and
+/// field_roots finds where it passes 1.
+class Superellipsoid final : public ConvexShape<Superellipsoid> {
 public:
   Superellipsoid(double east, double north);
   ~Superellipsoid() override;
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  template <class L>
+  Slice<L> slice(Line<L> const& line) const;
+  bool visible(std::uint32_t) const { return true; }
+  bool ends_visible() const override { return true; }
+  bool one_interval() const override { return convex_; }
+  EndsKernel const* ends_kernel() const override { return convex_ ? this : nullptr; }
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override { return {{-1, -1, -1}, {1, 1, 1}, false}; }
@@ -32,6 +40,13 @@ public:
 
 private:
   class Size;
+  template <class L>
+  struct Local;
+  template <class L>
+  Local<L> local(lane::Vec<L> const& point, lane::Vec<L> const& direction) const;
+
+  double p_, q_;
+  bool convex_;
   std::shared_ptr<Size const> size_;
   double ball_;
 };

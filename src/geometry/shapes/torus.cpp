@@ -60,7 +60,7 @@ Stops cubic_stops(double a, double b, double c, double d) {
 
 } // namespace
 
-void Torus::all_roots(Ray const& ray, Crossings& out) const {
+void Torus::roots(Ray const& ray, bool all, Crossings& out) const {
   Line<double> const line = line_of(ray);
   Vec3 const& d = ray.direction;
   double const length2 = glm::dot(d, d), length = std::sqrt(length2);
@@ -110,7 +110,9 @@ void Torus::all_roots(Ray const& ray, Crossings& out) const {
     bool const end = i == stops.count;
     double const to = end ? 1 : stops.at[static_cast<std::size_t>(i)];
     bool const to_inside = !end && f(to).first < 0;
-    if (from_inside != to_inside) {
+    // Where this piece ends, less what roundings come to.
+    double const until = near.t + middle + scale * to - 0x1p-20 * scale;
+    if (from_inside != to_inside && (all || until > 0)) {
       double const w = bracketed_root(f, from, to, from_inside);
       double const slope = 0.5 * f(w).second / scale, step = middle + scale * w, t = near.t + step;
       lane::Vec<double> const moved = near.rounding + std::fabs(step) * line.direction_rounding;
@@ -120,6 +122,9 @@ void Torus::all_roots(Ray const& ray, Crossings& out) const {
                          + gamma_bound(2) * (std::fabs(t) + std::fabs(middle) + scale),
                      root_motion(minor_ * lane::sum(line.slack), slope, length2), 0, to_inside,
                      true, true});
+      if (Crossing const& found = out.back();
+          !all && found.t > found.error && found.t + found.error < until)
+        return;
     }
     from = to;
     from_inside = to_inside;
@@ -128,8 +133,13 @@ void Torus::all_roots(Ray const& ray, Crossings& out) const {
 
 void Torus::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   std::size_t const first = out.size();
-  all_roots(ray, out);
+  roots(ray, true, out);
   if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+void Torus::crossings_ahead(Ray const& ray, Start const* start, double, Crossings& out) const {
+  if (start != nullptr) return crossings(ray, start, out);
+  roots(ray, false, out);
 }
 
 bool Torus::inside(Vec3 const& point) const {

@@ -28,13 +28,16 @@ class Torus final : public Shape {
 public:
   Torus(double major, double minor) : major_(major), minor_(minor) {}
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
   double ball_radius() const override { return major_ + minor_; }
 
 private:
-  void all_roots(Ray const& ray, Crossings& out) const;
+  /// @param all else what crossings_ahead() has to find
+  void roots(Ray const& ray, bool all, Crossings& out) const;
   double major_, minor_;
 };
 

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <string_view>
 
 namespace abbe::geometry::test {
 namespace {
@@ -265,6 +266,42 @@ TEST(Shapes, CrossingsAgreeWithTheDefinitionInQuadPrecision) {
       }
     }
     EXPECT_GT(hits, 200) << sample.name;
+  }
+}
+
+/// What lies ahead of a start in the open is the first of all crossings, in every bit, with those
+/// that are as near as its error.
+TEST(Shapes, TheFirstCrossingAheadIsTheFirstOfAll) {
+  Dice dice(5);
+  for (Sample const& sample : samples(1.0)) {
+    Placed const placed(sample.shape);
+    int behind = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Vec3 const direction = dice.direction();
+      double const far = i % 2 == 0 ? 3.0 : (i % 4 == 1 ? 0.3 : -0.3);
+      Ray const ray = ray_from(dice.in_cube(1) - far * direction, direction);
+      auto const ahead_of = [&](Crossings const& all) {
+        Crossings ahead;
+        for (Crossing const& c : all)
+          if (c.t > 0 && (ahead.empty() || c.t - c.error <= ahead[0].t + ahead[0].error))
+            ahead.push_back(c);
+        return ahead;
+      };
+      Crossings const all = sorted_crossings(placed, ray);
+      Crossings found;
+      placed.shape().crossings_ahead(placed.to_object(ray), nullptr, 1e9, found);
+      std::sort(found.begin(), found.end(), [](auto const& a, auto const& b) { return a.t < b.t; });
+      Crossings const wanted = ahead_of(all), got = ahead_of(found);
+      behind += all.size() > wanted.size() ? 1 : 0;
+      ASSERT_EQ(got.size(), wanted.size()) << sample.name << " ray " << i;
+      for (std::size_t k = 0; k < got.size(); ++k) {
+        EXPECT_EQ(got[k].t, wanted[k].t) << sample.name;
+        EXPECT_EQ(got[k].error, wanted[k].error) << sample.name;
+        EXPECT_EQ(got[k].entering, wanted[k].entering) << sample.name;
+        EXPECT_EQ(got[k].face, wanted[k].face) << sample.name;
+      }
+    }
+    EXPECT_TRUE(behind > 300 || std::string_view(sample.name) == "plane") << sample.name;
   }
 }
 
