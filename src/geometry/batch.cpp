@@ -76,9 +76,7 @@ void Hits::take_group(std::size_t k) {
     hit[k] = {};
     return;
   }
-  auto const entered = std::find_if(own.crossings.begin(), own.crossings.end(),
-                                    [](SurfaceCrossing const& c) { return c.entering; });
-  SurfaceCrossing const& c = entered != own.crossings.end() ? *entered : own.crossings.front();
+  SurfaceCrossing const& c = shown(own.crossings);
   hit[k] = {RayHit::Kind::Group, c.entering, c.toggles, c.entering, c.solid, c.primitive, c.face};
   if (own.crossings.size() == 1 && own.members.size() == 1) {
     hit[k].kind = RayHit::Kind::Single;

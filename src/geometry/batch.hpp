@@ -3,6 +3,7 @@
 
 #include "geometry/world.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -86,8 +87,15 @@ struct RayHit {
   bool operator==(RayHit const&) const = default;
 };
 
-/// What the rays of a batch meet first. Of a Group, `hit` is the crossing whose surface is shown:
-/// the first that is entered, else the first.
+/// Of crossings at one place, the one whose surface is shown: the first that is entered, else the
+/// first. @pre there is one
+inline SurfaceCrossing const& shown(std::vector<SurfaceCrossing> const& crossings) {
+  auto const entered = std::find_if(crossings.begin(), crossings.end(),
+                                    [](SurfaceCrossing const& c) { return c.entering; });
+  return entered != crossings.end() ? *entered : crossings.front();
+}
+
+/// What the rays of a batch meet first. Of a Group, `hit` is the crossing that is shown().
 struct Hits {
   std::vector<RayHit> hit;
   std::vector<std::uint32_t> group; ///< a ray; of Groups

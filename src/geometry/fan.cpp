@@ -265,8 +265,4 @@ void World::Impl::occluded_fan(FanLines const& rays, Departure const* from, std:
   }
 }
 
-bool World::flat(PrimitiveId id, std::uint32_t face) const {
-  return impl_->primitives[id].shape().flat(face);
-}
-
 } // namespace abbe::geometry

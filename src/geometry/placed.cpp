@@ -87,6 +87,25 @@ Bounds Placed::bounds() const {
   return {centre - wide, centre + wide, false};
 }
 
+void Placed::half_spaces(std::vector<HalfSpace>& out) const {
+  if (Bounds const own = bounds(); !own.infinite) {
+    for (int axis = 0; axis < 3 && !own.empty(); ++axis) {
+      Vec3 along(0);
+      along[axis] = 1;
+      out.push_back({along, own.high[axis]});
+      out.push_back({-along, -own.low[axis]});
+    }
+    return;
+  }
+  std::size_t const first = out.size();
+  shape_->half_spaces(out);
+  for (std::size_t i = first; i < out.size(); ++i) {
+    Vec3 const normal = to_world_normal(out[i].normal);
+    double const length = glm::length(normal);
+    out[i] = {normal / length, (out[i].most + glm::dot(normal, offset_)) / length};
+  }
+}
+
 Ray Placed::to_object(Ray const& world) const {
   Vec3 const from_here = world.origin - offset_;
   Vec3 const off = rounding * glm::abs(from_here) + offset_rounding();

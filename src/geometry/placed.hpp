@@ -59,6 +59,8 @@ public:
   /// Bounds in world space, wide enough for the errors of to_object. Computed when asked for unless
   /// the placement is kept whole.
   Bounds bounds() const;
+  /// Half-spaces of the world that hold all of the inside, but for rounding; of unit normals.
+  void half_spaces(std::vector<HalfSpace>& out) const;
 
 private:
   /// Of a normal of object space in the world, of unit length.

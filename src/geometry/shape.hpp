@@ -66,6 +66,12 @@ struct Bounds {
   bool empty() const { return !infinite && (low.x > high.x || low.y > high.y || low.z > high.z); }
 };
 
+/// The points p with normal . p <= most.
+struct HalfSpace {
+  Vec3 normal;
+  double most;
+};
+
 class EndsKernel;
 class NormalKernel;
 
@@ -125,6 +131,9 @@ public:
   virtual bool one_interval() const { return false; }
   /// The shape as a kernel without lists (shapes/convex.hpp), where it is one.
   virtual EndsKernel const* ends_kernel() const { return nullptr; }
+  /// Appends half-spaces that hold all of its inside, where bounds() are infinite: together with
+  /// others they may be finite.
+  virtual void half_spaces(std::vector<HalfSpace>& /*out*/) const {}
   /// The shape's normals for several points at once (shapes/normal_kernel.hpp), where it has them.
   virtual NormalKernel const* normal_kernel() const { return nullptr; }
   /// A line that keeps clear of this ball about the middle of bounds() has no crossings; "clear" by

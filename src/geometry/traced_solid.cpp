@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/traced_solid.hpp"
 
-#include "geometry/bounds.hpp"
-
+#include "geometry/half_space_bounds.hpp"
+#include "geometry/half_spaces.hpp"
 #include "geometry/shapes/convex.hpp"
 
 #include <algorithm>
@@ -70,6 +70,28 @@ bool merges_primitives(CsgTree const& tree) {
 
 } // namespace
 
+namespace {
+
+/// Half-spaces that hold all of the inside of a tree.
+void half_spaces_of(CsgTree const& tree, std::vector<Placed> const& primitives,
+                    std::vector<HalfSpace>& out) {
+  if (tree.op == CsgTree::Op::Primitive) {
+    Placed const& placed = primitives[tree.primitive];
+    std::size_t const first = out.size();
+    if (!tree.inverse || is_plane(placed.shape())) placed.half_spaces(out);
+    for (std::size_t i = first; tree.inverse && i < out.size(); ++i)
+      out[i] = {-out[i].normal, -out[i].most};
+    return;
+  }
+  if (tree.inverse || tree.op == CsgTree::Op::Merge) return;
+  for (CsgTree const& child : tree.children) {
+    half_spaces_of(child, primitives, out);
+    if (tree.op == CsgTree::Op::Difference) return;
+  }
+}
+
+} // namespace
+
 Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
   if (tree.inverse) return all_space();
   if (tree.op == CsgTree::Op::Primitive) return primitives[tree.primitive].bounds();
@@ -86,7 +108,10 @@ Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
     }
     first = false;
   }
-  return result;
+  if (!result.infinite || tree.op == CsgTree::Op::Merge) return result;
+  std::vector<HalfSpace> spaces;
+  half_spaces_of(tree, primitives, spaces);
+  return bounds_of(spaces);
 }
 
 TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives,

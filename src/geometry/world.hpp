@@ -129,8 +129,6 @@ public:
                VectorArrays const& smoothed, VectorArrays const& geometric) const;
   /// Unit normal towards what counts as outside, where Shape::side() is not Crossing.
   Vec3 facing(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
-  /// The face has one normal, wherever the point.
-  bool flat(PrimitiveId, std::uint32_t face) const;
   /// Is the point inside the primitive?
   bool inside(PrimitiveId, Vec3 const& point) const;
   Bounds bounds(SolidId) const;

@@ -110,6 +110,9 @@ public:
       // Renders are smaller with these two than with all filters (the gallery by 2 %), and written
       // in four fifths of the time.
       png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
+      // Files are a tenth larger than at the default, 6, at most; that took a third of the time of
+      // simple pictures, this takes two fifths of it.
+      png_set_compression_level(png_, 3);
       png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
       png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
       png_write_info(png_, info_);

@@ -30,6 +30,8 @@ Vec3 desaturate_to_positive(Vec3 rgb) {
 } // namespace
 
 Vec3 map_to_gamut(Vec3 rgb, Gamut gamut) {
+  if (glm::all(glm::lessThanEqual(Vec3(0), rgb)) && glm::all(glm::lessThanEqual(rgb, Vec3(1))))
+    return rgb;
   if (std::isnan(rgb.x) || std::isnan(rgb.y) || std::isnan(rgb.z)) return Vec3(0);
   // An infinity would turn into NaN in the mixtures below.
   constexpr double largest = std::numeric_limits<float>::max();

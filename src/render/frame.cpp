@@ -36,7 +36,7 @@ public:
         across_((region_.x1 - region_.x0 + size_.across - 1) / size_.across),
         down_((region_.y1 - region_.y0 + size_.down - 1) / size_.down),
         first_phase_(static_cast<std::uint32_t>(pass) * phases()),
-        tracers_([this] { return make_tracer(); }) {
+        workers_([this] { return Worker(*this); }) {
     std::size_t floats = 3;
     if (options.spectral_output) floats += stage.film_bands();
     std::size_t const row_of_tiles = floats * sizeof(float) * static_cast<std::size_t>(size_.down)
@@ -152,9 +152,9 @@ private:
   void add_counts() {
     CutLight cut = kept_.cut;
     result_.counts = kept_.counts;
-    for (auto const& tracer : tracers_) {
-      result_.counts.add(tracer.counts());
-      cut.add(tracer.cut_light());
+    for (Worker const& worker : workers_) {
+      result_.counts.add(worker.tracer.counts());
+      cut.add(worker.tracer.cut_light());
     }
     auto counted = static_cast<double>(result_.counts.camera);
     if (subdivides()) { // by pixel, not by sample
@@ -196,6 +196,15 @@ private:
     return strip;
   }
 
+  /// Of a thread.
+  struct Worker {
+    explicit Worker(Frame const& frame)
+        : tracer(frame.make_tracer()), sampler(frame.stage_, frame.options_, tracer) {}
+    Tracer tracer;
+    PixelSampler sampler;
+    std::vector<Sampled> sampled;
+  };
+
   Tracer make_tracer(transport::PathRecord* record = nullptr) const {
     Tracer tracer(stage_, stage_.camera->footprint(options_.width, options_.height), record);
     tracer.stop_when(options_.stop);
@@ -234,12 +243,15 @@ private:
       if (stopped() || refused_.load(std::memory_order_relaxed)) return;
       Box const box = box_of(tile);
       if (!options_.checkpoint || !take(strip, box, phase, tile)) {
-        Tracer& tracer = tracers_.local();
-        PixelSampler sampler(stage_, options_, tracer);
+        Worker& worker = workers_.local();
+        Tracer& tracer = worker.tracer;
+        PixelSampler& sampler = worker.sampler;
+        std::vector<Sampled>& sampled = worker.sampled;
+        sampler.start();
         RayCounts const before = tracer.counts();
         CutLight const cut_before = tracer.cut_light();
         std::size_t const most = std::max<std::size_t>(1, tracer.batch() / each);
-        std::vector<Sampled> sampled(most);
+        sampled.resize(std::max(sampled.size(), most));
         bool whole = true;
         for_each_group(box, most, wanted, [&](std::span<Pixel const> pixels) {
           if (stopped()) return whole = false;
@@ -358,7 +370,7 @@ private:
   RenderResult result_;
   std::atomic<std::uint64_t> lost_ = 0; ///< PixelSampler::lost() of the tiles made
   TileResult kept_;                     ///< counts of the tiles that the checkpoint had
-  tbb::enumerable_thread_specific<Tracer> tracers_;
+  tbb::enumerable_thread_specific<Worker> workers_;
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> finished_[2]{};
   std::mutex progress_, taking_, wrong_mutex_;

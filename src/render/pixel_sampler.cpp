@@ -27,6 +27,13 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
                                               : 1),
       negative_is_wrong_(options.check_finite && transport::negative_light_is_wrong(stage)) {}
 
+void PixelSampler::start() {
+  wrong_.reset();
+  lost_ = 0;
+  corners_.clear();
+  corner_numbers_ = {};
+}
+
 void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
   auto const row_of = [](Pixel const& pixel) { return std::pair(pixel.y, pixel.x); };
   if (wrong_ && row_of(wrong_->pixel) <= row_of(spot.pixel)) return;

@@ -30,6 +30,8 @@ struct Sampled {
 class PixelSampler {
 public:
   PixelSampler(Stage const& stage, RenderOptions const& options, Tracer& tracer);
+  /// Forgets what it sampled, not the room that this took.
+  void start();
 
   /// One ray through the middle of each pixel. @param out one a pixel
   void centres(std::span<Pixel const> pixels, Sampled* out);

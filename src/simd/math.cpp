@@ -147,6 +147,7 @@ double hypot(double x, double y) {
   double const high = std::max(std::fabs(x), std::fabs(y)),
                low = std::min(std::fabs(x), std::fabs(y));
   if (!(high > 0 && high < detail::largest)) return high + low;
+  if (high > 0x1p-300 && high < 0x1p500) return std::sqrt(high * high + low * low);
   // By powers of two: scaled sides give the scaled length, bit by bit.
   if (high < 0x1p-900) return 0x1p-200 * hypot(0x1p200 * high, 0x1p200 * low);
   if (high > 0x1p900) return 0x1p200 * hypot(0x1p-200 * high, 0x1p-200 * low);

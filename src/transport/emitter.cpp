@@ -20,6 +20,7 @@ Emitter::Emitter(Stage const& stage, Arena& arena, WaveTables& waves, SampleFilm
 
 void Emitter::start_samples(std::size_t count) {
   lost_.assign(count, {});
+  loses_ = false;
   lost_apart_.clear();
   if (counts_samples_) rays_of_sample.assign(count, 0);
   if (stage_.most_rays > 0) thresholds_.assign(count, stage_.adc_bailout);
@@ -62,6 +63,7 @@ bool Emitter::lose(std::uint32_t slot, double const* light, std::size_t lanes) {
   if (film_.is_sample(block)) {
     Vec3 const sum = film_.size_of(slot, light, lanes, waves_);
     if (sum == Vec3(0)) return false;
+    loses_ = true;
     for (int c = 0; c < 3; ++c) lost_[block][static_cast<std::size_t>(c)].add(sum[c]);
     return true;
   }
@@ -76,6 +78,7 @@ void Emitter::cut(std::uint32_t slot, double const* light, std::size_t lanes) {
 }
 
 double Emitter::lost_of(std::size_t sample) const {
+  if (!loses_) return 0;
   auto const& [r, g, b] = lost_[sample];
   return std::max({r.value(), g.value(), b.value()});
 }

@@ -102,6 +102,7 @@ private:
   Queues<QueueKey> queues_[2];
   Queues<QueueKey>*now_ = queues_, *next_ = queues_ + 1;
   std::vector<std::array<LightSum, 3>> lost_; ///< by sample
+  bool loses_ = false;                        ///< any of them
   std::vector<LightSum> lost_apart_;          ///< by slot, from that of the first block apart on
   std::vector<double> thresholds_;            ///< by sample
   bool counts_samples_ = false;

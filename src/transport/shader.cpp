@@ -30,7 +30,6 @@ SurfaceLight Shader<Lanes>::shade() {
   out.lit = arena_.take<RaySet>(lamps);
   std::fill_n(out.of_lamp, lamps, nullptr);
   std::fill_n(out.lit, lamps, RaySet{0});
-  out.aims = &aims_;
   RaySet rays = first_rays(chunk_.count);
   if (chunk_.group == nullptr) {
     shade_single(rays, out);
@@ -38,9 +37,8 @@ SurfaceLight Shader<Lanes>::shade() {
   }
   // What is left comes before what is entered: that is the order in which the light meets them.
   auto const& crossings = chunk_.crossings;
-  auto const shown = std::find_if(crossings.begin(), crossings.end(),
-                                  [](auto const& crossing) { return crossing.entering; });
-  auto const* const carrier = shown != crossings.end() ? &*shown : crossings.data();
+  geometry::SurfaceCrossing const* const carrier =
+      crossings.empty() ? nullptr : &geometry::shown(chunk_.group->crossings);
   for (bool const entering : {false, true})
     for (auto const& crossing : crossings)
       if (crossing.entering == entering) {

@@ -19,7 +19,6 @@ struct SurfaceLight {
   double* own = nullptr;          ///< light that the surface adds, throughput included; null: none
   double** of_lamp = nullptr;     ///< by lamp: what it adds but for shadows; null: nothing
   RaySet* lit = nullptr;          ///< by lamp: the rays whose surface it lights
-  std::vector<Aim>* aims = nullptr; ///< by lamp, where it lights any
 };
 
 /// What Fresnel's reflectance is to a texture.

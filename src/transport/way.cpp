@@ -65,9 +65,7 @@ bool drop_displaced(Stage const& stage, MediaStacks const& stacks, MediaStacks::
   if (group == nullptr) return !displaced(hit);
   std::erase_if(group->crossings, displaced);
   if (group->crossings.empty()) return false;
-  auto const entered = std::find_if(group->crossings.begin(), group->crossings.end(),
-                                    [](auto const& crossing) { return crossing.entering; });
-  auto const& shown = entered != group->crossings.end() ? *entered : group->crossings.front();
+  geometry::SurfaceCrossing const& shown = geometry::shown(group->crossings);
   hit.solid = shown.solid;
   hit.primitive = shown.primitive;
   hit.face = shown.face;

@@ -172,30 +172,46 @@ Blob::Blob(std::vector<Component> components, double threshold)
   ball_ = bounds_.empty() ? 0 : vector_length(glm::max(glm::abs(low), glm::abs(high)));
 }
 
-void Blob::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+void Blob::find(Ray const& ray, bool all, Crossings& out) const {
   Walk walk{*this, CloseLine(ray, ball_)};
-  std::size_t const first = out.size();
-  if (walk.close.half > 0) {
-    for (Component const& c : components_) walk.add_stretches(c);
-  }
+  CloseLine const& close = walk.close;
+  if (!(close.half > 0)) return;
+  for (Component const& c : components_) walk.add_stretches(c);
   auto& ends = walk.ends;
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  int before = 1;
+  std::size_t i = 0;
+  if (!all)
+    while (i + 1 < ends.size() && close.near.t + ends[i + 1] < -close.margin()) ++i;
+  int before = i == 0 ? 1 : walk.side(ends[i]);
   PolynomialRoots roots;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+  for (; i + 1 < ends.size(); ++i) {
     double const from = ends[i], width = ends[i + 1] - from;
     int const after = i + 2 == ends.size() ? 1 : walk.side(ends[i + 1]);
     roots.count = 0;
-    if (!unit_roots(walk.along<double>(from, width), before, after, roots))
+    Wanted const wanted = all ? Wanted() : close.ahead(from, width);
+    if (!unit_roots(walk.along<double>(from, width), before, after, roots, wanted))
       unit_roots(walk.along<Twofold>(from, width), before, after, roots);
+    bool done = false;
     for (PolynomialRoot const& root : roots) {
-      Vec3 const at = walk.close.at(from + width * root.at);
-      out.push_back(walk.close.crossing(from, width, root, gradient(at), 0));
+      Vec3 const at = close.at(from + width * root.at);
+      out.push_back(close.crossing(from, width, root, gradient(at), 0));
+      done = done || (!all && close.is_first_before(out.back(), ends[i + 1]));
     }
+    if (done) return;
     before = after;
   }
+}
+
+void Blob::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  std::size_t const first = out.size();
+  find(ray, true, out);
   if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+void Blob::crossings_ahead(Ray const& ray, Start const* start, double, Crossings& out) const {
+  if (start != nullptr) return crossings(ray, start, out);
+  find(ray, false, out);
 }
 
 bool Blob::inside(Vec3 const& point) const {

@@ -45,6 +45,8 @@ public:
   };
   Blob(std::vector<Component> components, double threshold);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override { return bounds_; }
@@ -54,6 +56,8 @@ public:
 
 private:
   struct Walk;
+  /// @param all else what crossings_ahead() has to find
+  void find(Ray const& ray, bool all, Crossings& out) const;
   Vec3 gradient(Vec3 const& point) const;
 
   std::vector<Component> components_;

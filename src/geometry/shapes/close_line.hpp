@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace abbe::geometry {
 
@@ -33,6 +34,16 @@ struct CloseLine {
   }
 
   Vec3 at(double step) const { return point + step * direction; }
+  /// Of steps, and of what lies beyond the first crossing ahead: more than crossings' errors.
+  double margin() const { return 0x1p-20 * (half + 0x1p-20 * std::fabs(near.t)); }
+  /// Of a polynomial along step = from + width s: the roots that crossings_ahead() has to find.
+  Wanted ahead(double from, double width) const {
+    return {(-near.t - from) / width, std::numeric_limits<double>::infinity(), margin() / width};
+  }
+  /// The crossing lies ahead, and before all that is beyond `step`.
+  bool is_first_before(Crossing const& c, double step) const {
+    return c.t > c.error && c.t + c.error < near.t + step - margin();
+  }
   /// The place for the line as given, in twice the digits when N has them.
   template <class N>
   std::array<N, 3> place(double step) const {

@@ -60,6 +60,8 @@ struct Lathe::Turned {
   Vec3 p{0};                    ///< the point, rounded
   double across2 = 0, rise = 0; ///< |d_xz|^2, d.y
   bool is_level = false;
+  double asked_radius = NAN, asked_height = NAN; ///< what meets() was asked for last
+  int answer = 0;
 
   Turned(Ray const& ray, double low, double high) : line(line_of(ray)) {
     unit = std::exp2(-std::ilogb(vector_length(ray.direction)));
@@ -105,7 +107,15 @@ struct Lathe::Turned {
     auto const tilt = sum_of(times(N(2.0) * dy, across), product(constant(flat, 8 * u), above));
     return sum_of(times(dy * dy, radial), -product(above, tilt));
   }
-  int meets(double radius, double height) const {
+  /// Does the line pass within the radius of the axis at a height? -1 or 1. Neighbouring pieces ask
+  /// for their joint one after the other.
+  int meets(double radius, double height) {
+    if (radius == asked_radius && height == asked_height) return answer;
+    asked_radius = radius;
+    asked_height = height;
+    return answer = decide_meets(radius, height);
+  }
+  int decide_meets(double radius, double height) const {
     auto const decide = [&]<class N>(N) {
       auto const f = meeting(constant(N(radius)), constant(N(height)));
       return sign_of(f.c[0], f.error);
@@ -120,7 +130,7 @@ struct Lathe::Turned {
   }
 };
 
-void Lathe::piece_crossings(Turned const& line, std::size_t k, Crossings& out) const {
+void Lathe::piece_crossings(Turned& line, std::size_t k, Crossings& out) const {
   Piece const& piece = pieces_[k];
   PolynomialRoots roots;
   int const first = line.meets(piece.begin[0], piece.begin[1]);
@@ -240,7 +250,7 @@ void Lathe::level_crossings(Turned const& line, Crossings& out) const {
 }
 
 void Lathe::crossings(Ray const& ray, Start const* start, Crossings& out) const {
-  Turned const line(ray, low_, high_);
+  Turned line(ray, low_, high_);
   std::size_t const first = out.size();
   Vec3 const& p = line.p;
   double const near = std::sqrt(p.x * p.x + p.z * p.z);

@@ -52,7 +52,7 @@ private:
     double radius, height;
   };
   void level_crossings(Turned const& line, Crossings& out) const;
-  void piece_crossings(Turned const& line, std::size_t k, Crossings& out) const;
+  void piece_crossings(Turned& line, std::size_t k, Crossings& out) const;
   /// u of the place on the piece that is nearest to the point.
   double nearest(Piece const& piece, Vec3 const& point) const;
 

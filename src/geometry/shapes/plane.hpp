@@ -34,6 +34,7 @@ public:
   bool inside(Vec3 const& point) const override { return glm::dot(normal_, point) <= 0; }
   Vec3 normal(Vec3 const&, std::uint32_t) const override { return normal_; }
   Bounds bounds() const override;
+  void half_spaces(std::vector<HalfSpace>& out) const override { out.push_back({normal_, 0}); }
 
 private:
   Vec3 normal_;

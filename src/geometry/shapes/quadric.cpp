@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/quadric.hpp"
 
-#include "geometry/kernels.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abbe::geometry {
 
@@ -31,7 +31,36 @@ Bounds quadric_bounds(std::array<double, 10> const& k) {
 } // namespace
 
 Quadric::Quadric(std::array<double, 10> const& coefficients)
-    : k_(coefficients), bounds_(quadric_bounds(coefficients)) {}
+    : k_(coefficients),
+      bounds_(quadric_bounds(coefficients)),
+      convex_(k_[0] >= 0 && k_[1] >= 0 && k_[2] >= 0 && k_[3] == 0 && k_[4] == 0 && k_[5] == 0) {}
+
+/// Along each axis on which a cylinder or paraboloid ends, whatever the others are.
+void Quadric::half_spaces(std::vector<HalfSpace>& out) const {
+  if (k_[3] != 0 || k_[4] != 0 || k_[5] != 0) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double rest = k_[9], size = std::fabs(k_[9]); // the least of all that the other axes add
+    bool ends = k_[i] > 0;
+    for (std::size_t other = 0; other < 3; ++other) {
+      if (other == i) continue;
+      double const square = k_[other], linear = k_[6 + other];
+      ends = ends && (square > 0 || (square == 0 && linear == 0));
+      if (!(square > 0)) continue;
+      double const part = linear * linear / (4 * square);
+      rest -= part;
+      size += part;
+    }
+    double const half_linear = 0.5 * k_[6 + i];
+    double const room = half_linear * half_linear - k_[i] * (rest - gamma_bound(16) * size);
+    if (!ends || !(room >= 0)) continue;
+    double const middle = -half_linear / k_[i], half = std::sqrt(room) / k_[i];
+    double const wide = half + gamma_bound(16) * (half + std::fabs(middle));
+    Vec3 axis(0);
+    axis[static_cast<int>(i)] = 1;
+    out.push_back({axis, middle + wide});
+    out.push_back({-axis, wide - middle});
+  }
+}
 
 double Quadric::value(Vec3 const& p) const {
   return k_[0] * (p.x * p.x) + k_[1] * (p.y * p.y) + k_[2] * (p.z * p.z) + k_[3] * (p.x * p.y)
@@ -40,6 +69,7 @@ double Quadric::value(Vec3 const& p) const {
 }
 
 void Quadric::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  if (convex_) return ConvexShape::crossings(ray, start, out);
   double k[10];
   std::copy(k_.begin(), k_.end(), k);
   kernels::QuadricRoots<double> const roots = kernels::quadric(line_of(ray), k);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base/parameters.hpp"
+#include "geometry/shapes/convex.hpp"
 #include "geometry/shapes/normal_kernel.hpp"
+#include "geometry/shapes/quadric_kernel.hpp"
 
 #include <array>
 
@@ -19,10 +21,20 @@ left side is negative.
     quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 }
 */
 /// Canonical form: the coefficients as given. One face, 0.
-class Quadric final : public WithNormalKernel<Quadric> {
+class Quadric final : public WithNormalKernel<Quadric, ConvexShape<Quadric>> {
 public:
   explicit Quadric(std::array<double, 10> const& coefficients);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  template <class L>
+  Slice<L> slice(Line<L> const& line) const {
+    L const k[10] = {L(k_[0]), L(k_[1]), L(k_[2]), L(0.0),   L(0.0),
+                     L(0.0),   L(k_[6]), L(k_[7]), L(k_[8]), L(k_[9])};
+    return kernels::convex_quadric(line, k);
+  }
+  bool visible(std::uint32_t) const { return true; }
+  bool ends_visible() const override { return true; }
+  bool one_interval() const override { return convex_; }
+  EndsKernel const* ends_kernel() const override { return convex_ ? this : nullptr; }
   bool inside(Vec3 const& point) const override { return value(point) <= 0; }
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   template <class L>
@@ -35,11 +47,13 @@ public:
                                  out.unclear);
   }
   Bounds bounds() const override { return bounds_; }
+  void half_spaces(std::vector<HalfSpace>& out) const override;
 
 private:
   double value(Vec3 const& point) const;
   std::array<double, 10> k_;
   Bounds bounds_;
+  bool convex_; ///< an ellipsoid, a cylinder, a paraboloid along the axes
 };
 
 std::optional<PlacedShape> make_quadric(std::array<double, 10> const& coefficients);

@@ -75,7 +75,7 @@ struct Sor::Walk {
   }
 };
 
-void Sor::piece_crossings(Walk& walk, std::size_t k) const {
+bool Sor::piece_crossings(Walk& walk, std::size_t k, bool all) const {
   Piece const& piece = pieces_[k];
   CloseLine const& close = walk.close;
   double const y = close.point.y, speed = close.direction.y;
@@ -83,10 +83,11 @@ void Sor::piece_crossings(Walk& walk, std::size_t k) const {
   double from = -close.half, to = close.half;
   int first = 1, last = 1;
   if (speed == 0) {
-    if (!(piece.low <= y && y < piece.high)) return;
+    if (!(piece.low <= y && y < piece.high)) return false;
   } else {
     double const enter = ((up ? piece.low : piece.high) - y) / speed;
     double const leave = ((up ? piece.high : piece.low) - y) / speed;
+    if (!all && close.near.t + leave < -close.margin()) return false;
     if (enter > from) {
       from = enter;
       first = walk.side(enter, up ? piece.low_square : piece.high_square);
@@ -97,43 +98,54 @@ void Sor::piece_crossings(Walk& walk, std::size_t k) const {
     }
   }
   double const width = to - from;
-  if (!(width > 0)) {
-    return;
-  }
+  if (!(width > 0)) return false;
   PolynomialRoots roots;
-  if (!unit_roots(walk.along<double>(piece, from, width), first, last, roots))
+  Wanted const wanted = all ? Wanted() : close.ahead(from, width);
+  if (!unit_roots(walk.along<double>(piece, from, width), first, last, roots, wanted))
     unit_roots(walk.along<Twofold>(piece, from, width), first, last, roots);
+  bool done = false;
   for (PolynomialRoot const& root : roots) {
     Vec3 const at = close.at(from + width * root.at);
     walk.out.push_back(
         close.crossing(from, width, root, gradient(at, piece), static_cast<std::uint32_t>(k + 2)));
+    done = done || (!all && close.is_first_before(walk.out.back(), to));
   }
+  return done;
+}
+
+void Sor::find(Ray const& ray, bool all, Crossings& out) const {
+  Walk walk{CloseLine(ray, ball_), out};
+  CloseLine const& close = walk.close;
+  if (!(close.half > 0)) return;
+  bool const up = close.direction.y > 0;
+  std::size_t const n = pieces_.size();
+  auto const lid = [&](bool high, bool entering) {
+    if (close.direction.y == 0) return;
+    double const height = high ? pieces_.back().high : pieces_.front().low;
+    double const step = (height - close.point.y) / close.direction.y;
+    if (!(std::fabs(step) < close.half)) return;
+    double const square = high ? pieces_.back().high_square : pieces_.front().low_square;
+    if (walk.side(step, square) > 0) return;
+    Crossing c = close.lid(1, height, high ? 1 : 0);
+    c.entering = entering;
+    c.visible = !open_;
+    out.push_back(c);
+  };
+  lid(!up, true);
+  for (std::size_t i = 0; i < n; ++i)
+    if (piece_crossings(walk, up ? i : n - 1 - i, all)) return;
+  lid(up, false);
 }
 
 void Sor::crossings(Ray const& ray, Start const* start, Crossings& out) const {
-  Walk walk{CloseLine(ray, ball_), out};
-  CloseLine const& close = walk.close;
   std::size_t const first = out.size();
-  if (close.half > 0) {
-    bool const up = close.direction.y > 0;
-    std::size_t const n = pieces_.size();
-    auto const lid = [&](bool high, bool entering) {
-      if (close.direction.y == 0) return;
-      double const height = high ? pieces_.back().high : pieces_.front().low;
-      double const step = (height - close.point.y) / close.direction.y;
-      if (!(std::fabs(step) < close.half)) return;
-      double const square = high ? pieces_.back().high_square : pieces_.front().low_square;
-      if (walk.side(step, square) > 0) return;
-      Crossing c = close.lid(1, height, high ? 1 : 0);
-      c.entering = entering;
-      c.visible = !open_;
-      out.push_back(c);
-    };
-    lid(!up, true);
-    for (std::size_t i = 0; i < n; ++i) piece_crossings(walk, up ? i : n - 1 - i);
-    lid(up, false);
-  }
+  find(ray, true, out);
   if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+void Sor::crossings_ahead(Ray const& ray, Start const* start, double, Crossings& out) const {
+  if (start != nullptr) return crossings(ray, start, out);
+  find(ray, false, out);
 }
 
 bool Sor::inside(Vec3 const& point) const {

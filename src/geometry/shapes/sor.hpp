@@ -37,6 +37,8 @@ public:
   };
   Sor(std::vector<Piece> pieces, bool open);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Boundary boundary() const override { return open_ ? Boundary::Open : Boundary::Whole; }
@@ -46,7 +48,10 @@ public:
 
 private:
   struct Walk;
-  void piece_crossings(Walk& walk, std::size_t k) const;
+  /// @param all else what crossings_ahead() has to find
+  void find(Ray const& ray, bool all, Crossings& out) const;
+  /// @return not all, and what is beyond the piece is not asked for
+  bool piece_crossings(Walk& walk, std::size_t k, bool all) const;
   Vec3 gradient(Vec3 const& point, Piece const& piece) const;
 
   std::vector<Piece> pieces_; ///< by ascending heights

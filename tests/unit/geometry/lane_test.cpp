@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/kernels.hpp"
+#include "geometry/shapes/quadric_kernel.hpp"
 #include "scene.hpp"
 
 #include <bit>

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/half_space_bounds.hpp"
+#include "geometry/shapes/plane.hpp"
+#include "geometry/shapes/quadric.hpp"
+#include "geometry/shapes/sphere.hpp"
+
+#include "scene.hpp"
+
+#include <gtest/gtest.h>
+
+/// Boxes around what shapes without an end have in common.
+namespace abbe::geometry::test {
+namespace {
+
+PlacedShape cylinder_along_z(double radius) {
+  return *make_quadric({1, 1, 0, 0, 0, 0, 0, 0, 0, -radius * radius});
+}
+
+Bounds bounds_of_all(Op op, std::vector<PlacedShape> const& shapes) {
+  std::vector<CsgTree> leaves;
+  for (PrimitiveId id = 0; id < shapes.size(); ++id) leaves.push_back(leaf(id));
+  World const world(shapes, {{node(op, leaves)}});
+  return world.bounds(0);
+}
+
+TEST(HalfSpaceBounds, OfATetrahedronAreItsCorners) {
+  double const third = 1 / std::sqrt(3.0);
+  // x, y, z >= 0, x + y + z <= 2
+  Bounds const box =
+      bounds_of({{{-1, 0, 0}, 0}, {{0, -1, 0}, 0}, {{0, 0, -1}, 0}, {Vec3(third), 2 * third}});
+  ASSERT_FALSE(box.infinite);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(box.low[axis], 0, 1e-9);
+    EXPECT_LE(box.low[axis], 0);
+    EXPECT_NEAR(box.high[axis], 2, 1e-9);
+    EXPECT_GE(box.high[axis], 2);
+  }
+}
+
+TEST(HalfSpaceBounds, AreInfiniteWhereTheSpaceIs) {
+  EXPECT_TRUE(
+      bounds_of({{{-1, 0, 0}, 0}, {{1, 0, 0}, 1}, {{0, -1, 0}, 0}, {{0, 1, 0}, 1}, {{0, 0, -1}, 0}})
+          .infinite);
+  EXPECT_TRUE(bounds_of({}).infinite);
+}
+
+TEST(HalfSpaceBounds, OfACylinderBetweenTwoPlanesAreFiniteHoweverItIsTurned) {
+  for (Vec3 const& turn : {Vec3(0), Vec3(-90, 0, 160), Vec3(20, 130, 7)}) {
+    Transform const place = Transform::rotation(turn).then(Transform::translation({0, -2, 5}));
+    Bounds const box = bounds_of_all(Op::Intersection, {moved(cylinder_along_z(2), place),
+                                                        moved(*make_plane({0, 0, 1}, 1.4), place),
+                                                        moved(*make_plane({0, 0, -1}, 0), place)});
+    ASSERT_FALSE(box.infinite);
+    // Points of its rims are within it, and it is no larger than the box around the turned box.
+    Vec3 low(INFINITY), high(-INFINITY);
+    for (int k = 0; k < 360; ++k) {
+      double const angle = k * 3.14159265358979 / 180;
+      for (double const z : {0.0, 1.4}) {
+        Vec3 const p = place.point({2 * std::cos(angle), 2 * std::sin(angle), z});
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(box.low, p + 1e-9)));
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(p - 1e-9, box.high)));
+      }
+    }
+    for (double const x : {-2.0, 2.0})
+      for (double const y : {-2.0, 2.0})
+        for (double const z : {0.0, 1.4}) {
+          low = glm::min(low, place.point({x, y, z}));
+          high = glm::max(high, place.point({x, y, z}));
+        }
+    EXPECT_TRUE(glm::all(glm::lessThan(low - 1e-6, box.low)));
+    EXPECT_TRUE(glm::all(glm::lessThan(box.high, high + 1e-6)));
+  }
+}
+
+TEST(HalfSpaceBounds, OfWhatIsTakenAwayCountForNothing) {
+  std::vector<PlacedShape> const shapes{cylinder_along_z(1), *make_plane({0, 0, 1}, 1),
+                                        *make_plane({0, 0, -1}, 1)};
+  EXPECT_TRUE(bounds_of_all(Op::Difference, shapes).infinite);
+  EXPECT_TRUE(bounds_of_all(Op::Merge, shapes).infinite);
+  EXPECT_FALSE(bounds_of_all(Op::Intersection, shapes).infinite);
+}
+
+TEST(HalfSpaceBounds, AreInfiniteForAParaboloidUnderAPlane) {
+  // x^2 + y^2 <= z, z <= 4
+  PlacedShape const paraboloid = *make_quadric({1, 1, 0, 0, 0, 0, 0, 0, -1, 0});
+  EXPECT_TRUE(bounds_of_all(Op::Intersection, {paraboloid, *make_plane({0, 0, 1}, 4)}).infinite);
+}
+
+} // namespace
+} // namespace abbe::geometry::test
