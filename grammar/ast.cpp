@@ -7,6 +7,24 @@
 
 namespace abbe::ast {
 
+template <class... Node>
+OneOf<Node...>::OneOf() = default;
+template <class... Node>
+OneOf<Node...>::OneOf(OneOf const&) = default;
+template <class... Node>
+OneOf<Node...>::OneOf(OneOf&&) noexcept = default;
+template <class... Node>
+OneOf<Node...>& OneOf<Node...>::operator=(OneOf const&) = default;
+template <class... Node>
+OneOf<Node...>& OneOf<Node...>::operator=(OneOf&&) noexcept = default;
+template <class... Node>
+OneOf<Node...>::~OneOf() = default;
+template struct OneOf<Number, LiteralVector, Name, String, Box<Vector>, Box<Unary>, Box<Binary>,
+                      Box<Conditional>, Box<Member>, Box<Index>, Box<Call>, Box<Paren>, Box<Array>,
+                      Box<Function>, Box<Block>>;
+template struct OneOf<Expr, Word, LiteralVectors, Bracket, Punctuation, Text, Box<If>, Box<While>,
+                      Box<For>, Box<Switch>, Box<Declare>, Box<Macro>, Box<Directive>>;
+
 LiteralVector LiteralVectors::operator[](std::size_t i) const {
   LiteralVector one;
   one.size = size;

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "base/source.hpp"
-
-#include <boost/spirit/home/x3/support/ast/variant.hpp>
+#include "grammar/node.hpp"
 
 #include <cstdint>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 /// The syntax tree of a scene file. It is generic: blocks, words, expressions and directives.
@@ -19,8 +16,6 @@
 /// Commas between items are optional in the language and leave no trace here, except that they end
 /// an expression (`<1 -2 3>` has two components).
 namespace abbe::ast {
-
-namespace x3 = boost::spirit::x3;
 
 struct Expr;
 struct Item;
@@ -82,14 +77,11 @@ struct Array;
 struct Function;
 struct Block;
 
-struct Expr
-    : x3::variant<Number, LiteralVector, Name, String, x3::forward_ast<Vector>,
-                  x3::forward_ast<Unary>, x3::forward_ast<Binary>, x3::forward_ast<Conditional>,
-                  x3::forward_ast<Member>, x3::forward_ast<Index>, x3::forward_ast<Call>,
-                  x3::forward_ast<Paren>, x3::forward_ast<Array>, x3::forward_ast<Function>,
-                  x3::forward_ast<Block>> {
-  using base_type::base_type;
-  using base_type::operator=;
+/// An expression: one of these kinds, which ast_visit.hpp looks into.
+struct Expr : OneOf<Number, LiteralVector, Name, String, Box<Vector>, Box<Unary>, Box<Binary>,
+                    Box<Conditional>, Box<Member>, Box<Index>, Box<Call>, Box<Paren>, Box<Array>,
+                    Box<Function>, Box<Block>> {
+  using OneOf::OneOf;
 };
 
 /// `<e, e, ...>`: two to five components or many coefficients; macros may yield some.
@@ -281,12 +273,10 @@ struct Directive {
   bool open = false; ///< a #write whose ')' comes later: a Punctuation, in another branch of an #if
 };
 
-struct Item
-    : x3::variant<Expr, Word, LiteralVectors, Bracket, Punctuation, Text, x3::forward_ast<If>,
-                  x3::forward_ast<While>, x3::forward_ast<For>, x3::forward_ast<Switch>,
-                  x3::forward_ast<Declare>, x3::forward_ast<Macro>, x3::forward_ast<Directive>> {
-  using base_type::base_type;
-  using base_type::operator=;
+/// What may stand in a list: an expression, or one of these.
+struct Item : OneOf<Expr, Word, LiteralVectors, Bracket, Punctuation, Text, Box<If>, Box<While>,
+                    Box<For>, Box<Switch>, Box<Declare>, Box<Macro>, Box<Directive>> {
+  using OneOf::OneOf;
 };
 
 /// The tree of one source.

@@ -78,8 +78,7 @@ struct ListDirective : x3::binary_parser<Subject, Braces, ListDirective<Subject,
         break;
       case Plain::Block:
         parse_block(first, last, context, rcontext,
-                    boost::get<x3::forward_ast<ast::Block>>(
-                        boost::get<ast::Expr>(items.back().get()).get()));
+                    *ast::get_direct<ast::Block>(*ast::get_direct<ast::Expr>(items.back())));
         break;
       case Plain::No:
         if (this->left.parse(first, last, context, rcontext, items.back())) break;

@@ -12,7 +12,7 @@ constexpr char const* binary_names[] = {"+", "-",  "*", "/",  "&",  "|",
                                         "<", "<=", "=", "!=", ">=", ">"};
 
 /// Text as it is, control characters as \xNN.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (char const c : text)
     if (static_cast<unsigned char>(c) < 32)
@@ -58,7 +58,7 @@ public:
   void operator()(ast::Name const& node) {
     line("Name", node.span, node.text + (node.reserved ? " reserved" : ""));
   }
-  void operator()(ast::String const& node) { line("String", node.span, quoted(node.text)); }
+  void operator()(ast::String const& node) { line("String", node.span, in_quotes(node.text)); }
   void operator()(ast::Vector const& node) { nested("Vector", node.span, "", node.components); }
   void operator()(ast::Unary const& node) {
     line("Unary", node.span, unary_names[static_cast<int>(node.op)]);
@@ -153,7 +153,7 @@ public:
     std::string text = node.local ? "local" : "declare";
     if (node.deprecated) text += " deprecated";
     if (node.deprecated_once) text += " once";
-    if (node.deprecation.span.valid()) text += ' ' + quoted(node.deprecation.text);
+    if (node.deprecation.span.valid()) text += ' ' + in_quotes(node.deprecation.text);
     line("Declare", node.span, text + (node.has_semicolon ? " ;" : ""));
     children(node.target);
     Deeper const deeper(*this);

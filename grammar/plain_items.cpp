@@ -89,14 +89,14 @@ public:
     }
     if (count == many) gather(items);
     if (count >= many)
-      boost::get<ast::LiteralVectors>(items.back().get()).span = state_.span(first_, end);
+      ast::get_direct<ast::LiteralVectors>(items.back())->span = state_.span(first_, end);
     return end;
   }
 
 private:
   void append(ast::Items& items, std::size_t count, ast::LiteralVector const& one) {
     if (count == many) gather(items);
-    auto& node = boost::get<ast::LiteralVectors>(items.back().get());
+    auto& node = *ast::get_direct<ast::LiteralVectors>(items.back());
     node.values.insert(node.values.end(), one.values, one.values + size_);
     node.begin.push_back(one.span.begin);
   }
@@ -104,9 +104,9 @@ private:
   void gather(ast::Items& items) {
     ast::LiteralVectors node;
     node.size = size_;
-    reserve(node, boost::get<ast::LiteralVector>(boost::get<ast::Expr>(items.back().get()).get()));
+    reserve(node, *ast::get_if<ast::LiteralVector>(items.back()));
     for (std::size_t i = items.size() - many; i < items.size(); ++i) {
-      auto const& one = boost::get<ast::LiteralVector>(boost::get<ast::Expr>(items[i].get()).get());
+      auto const& one = *ast::get_if<ast::LiteralVector>(items[i]);
       node.values.insert(node.values.end(), one.values, one.values + size_);
       node.begin.push_back(one.span.begin);
     }

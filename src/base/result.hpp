@@ -10,7 +10,7 @@
 /// A broken invariant is our bug, never the user's: say where and stop.
 #define ABBE_ASSERT(condition)                                                                     \
   do {                                                                                             \
-    if (!(condition)) ::abbe::assertion_failed(#condition, __FILE__, __LINE__);                    \
+    if (!(condition)) ::abbe::assertion_failed(#condition, __FILE_NAME__, __LINE__);               \
   } while (false)
 
 namespace abbe {

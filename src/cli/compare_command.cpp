@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "image/io.hpp"
 #include "image/metrics.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -122,31 +122,27 @@ int compare_files(Arguments const& arguments) {
 
 int run_compare(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app(
+  CommandLine app(
       "How far image B is from image A (the reference). Reads .exr, .png and LogLuv .tif.\n"
       "CIEDE2000, FLIP and 8-bit values are those of the images as a display shows them.",
       "abbe compare");
-  app.add_option("A", arguments.reference, "the reference")->required();
-  app.add_option("B", arguments.test, "the image under test")->required();
+  app.add_option("A", arguments.reference, "the reference").required();
+  app.add_option("B", arguments.test, "the image under test").required();
   app.add_flag("--json", arguments.json, "print JSON (null: infinite or undefined)");
   app.add_option("--threshold", arguments.threshold,
                  "count pixels with a channel that differs by more than T/255")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 255.0))
-      ->capture_default_str();
-  auto* difference =
+      .type_name("T")
+      .range(0.0, 255.0)
+      .show_default();
+  auto const difference =
       app.add_option("--diff", arguments.difference, "write |A - B| of the sRGB values")
-          ->type_name("OUT.png");
+          .type_name("OUT.png");
   app.add_option("--gain", arguments.gain, "multiply the difference image")
-      ->type_name("G")
-      ->check(CLI::PositiveNumber)
-      ->needs(difference)
-      ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (CLI::ParseError const& stop) {
-    return app.exit(stop) == 0 ? 0 : 2;
-  }
+      .type_name("G")
+      .positive()
+      .needs(difference)
+      .show_default();
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   return compare_files(arguments);
 }
 

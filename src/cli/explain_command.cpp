@@ -105,7 +105,8 @@ std::string cost_of(plan::Effect effect, scene::Scene const& scene, plan::Overri
 
 int run_explain(int argc, char** argv) {
   SceneArguments arguments;
-  CLI::App app("Which effects a scene calls for, why, where, and what each costs.", "abbe explain");
+  CommandLine app("Which effects a scene calls for, why, where, and what each costs.",
+                  "abbe explain");
   arguments.add_to(app, true);
   bool no_probe = false;
   app.add_flag("--no-probe", no_probe, "do not measure what the effects cost");
@@ -113,7 +114,7 @@ int run_explain(int argc, char** argv) {
       "The probe renders the scene small, by one thread, as planned and without each effect\n"
       "that can be off: its share is what is saved then. Rays are counted, the same in every\n"
       "run; time is the processor's, the least of three. Shares need not add up.");
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   int status = 0;
   lang::Evaluated const* const evaluated = load_scene(arguments, status);
   if (!evaluated) return status;

@@ -3,6 +3,7 @@
 #include "cli/glass_of_name.hpp"
 #include "cli/scene_arguments.hpp"
 #include "lang/evaluate.hpp"
+#include "lang/folders.hpp"
 #include "optics/bands.hpp"
 #include "optics/data_library.hpp"
 #include "optics/glass.hpp"
@@ -29,7 +30,7 @@ int fail(Error const& error, int status) {
 }
 
 int list(Arguments const& arguments) {
-  auto const library = optics::DataLibrary::open(stdlib_dir() / "glass");
+  auto const library = optics::DataLibrary::open(lang::stdlib_dir() / "glass");
   if (!library) return fail(library.error(), 3);
   if (arguments.maker.empty()) {
     for (auto const name : library->names()) fmt::print("{}\n", name);
@@ -107,19 +108,18 @@ int show(Arguments& arguments) {
 
 int run_glass(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("The glass catalogue.", "abbe glass");
-  app.require_subcommand(1);
-  auto* lister = app.add_subcommand("list", "names, one a line");
-  lister->add_option("--maker", arguments.maker, "of this maker only");
-  auto* shower = app.add_subcommand("show", "index, Abbe number, transmittance");
-  shower->add_option("NAME", arguments.name, "\"N-BK7\" or \"SCHOTT/N-BK7\"")->required();
-  shower->add_option("--at", arguments.at_nm, "wavelengths")
-      ->type_name("NM,...")
-      ->delimiter(',')
-      ->check(CLI::Range(1.0, 1e6));
-  shower->add_flag("--json", arguments.as_json, "print JSON");
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
-  return lister->parsed() ? list(arguments) : show(arguments);
+  CommandLine app("The glass catalogue.", "abbe glass");
+  auto& lister = app.add_subcommand("list", "names, one a line");
+  lister.add_option("--maker", arguments.maker, "of this maker only");
+  auto& shower = app.add_subcommand("show", "index, Abbe number, transmittance");
+  shower.add_option("NAME", arguments.name, "\"N-BK7\" or \"SCHOTT/N-BK7\"").required();
+  shower.add_option("--at", arguments.at_nm, "wavelengths")
+      .type_name("NM,...")
+      .separated_by(',')
+      .range(1.0, 1e6);
+  shower.add_flag("--json", arguments.as_json, "print JSON");
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
+  return lister.is_chosen() ? list(arguments) : show(arguments);
 }
 
 } // namespace abbe::cli

@@ -3,12 +3,13 @@
 
 #include "cli/scene_arguments.hpp"
 #include "lang/evaluate.hpp"
+#include "lang/folders.hpp"
 
 namespace abbe::cli {
 
 Result<optics::GlassPtr> glass_of_name(std::string const& name) {
   lang::EvaluateOptions options;
-  options.stdlib_dir = stdlib_dir();
+  options.stdlib_dir = lang::stdlib_dir();
   if (name.find_first_of("\"\\\n\r") != std::string::npos)
     return Error{"E0413", "a glass has no such name: '" + name + "'"};
   auto const evaluated = lang::evaluate_text(

@@ -33,10 +33,10 @@ int dump_syntax(std::string const& path, bool tokens) {
 
 int run_check(int argc, char** argv) {
   SceneArguments arguments;
-  CLI::App app("Parses and evaluates a scene: reports every error that can be found.",
-               "abbe check");
+  CommandLine app("Parses and evaluates a scene: reports every error that can be found.",
+                  "abbe check");
   arguments.add_to(app, false);
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   int status = 0;
   lang::Evaluated const* const evaluated = load_scene(arguments, status);
   if (evaluated && plan_scene(*evaluated, arguments, status) && !arguments.quiet)
@@ -46,16 +46,15 @@ int run_check(int argc, char** argv) {
 
 int run_dump(int argc, char** argv) {
   SceneArguments arguments;
-  CLI::App app("Prints a stage of the work on a scene.", "abbe dump");
+  CommandLine app("Prints a stage of the work on a scene.", "abbe dump");
   bool tokens = false, tree = false, graph = false, plan = false;
-  auto* group = app.add_option_group("stage");
-  group->add_flag("--tokens", tokens, "the tokens, one a line");
-  group->add_flag("--ast", tree, "the syntax tree");
-  group->add_flag("--scene", graph, "the object graph, evaluated");
-  group->add_flag("--plan", plan, "the effects it calls for");
-  group->require_option(1);
+  auto& group = app.add_choice("stage");
+  group.add_flag("--tokens", tokens, "the tokens, one a line");
+  group.add_flag("--ast", tree, "the syntax tree");
+  group.add_flag("--scene", graph, "the object graph, evaluated");
+  group.add_flag("--plan", plan, "the effects it calls for");
   arguments.add_to(app, true);
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   if (tokens || tree) return dump_syntax(arguments.scene, tokens);
   int status = 0;
   lang::Evaluated const* const evaluated = load_scene(arguments, status);

@@ -4,6 +4,7 @@
 #include "cli/glass_of_name.hpp"
 #include "cli/scene_arguments.hpp"
 #include "job/interrupt.hpp"
+#include "lang/folders.hpp"
 #include "study/paper.hpp"
 
 #include <fmt/format.h>
@@ -19,23 +20,22 @@ int fail(Error const& error) {
 } // namespace
 
 int run_paper(int argc, char** argv) {
-  CLI::App app("Makes the figures and the timing table of the paper, and a page of them.",
-               "abbe study --paper");
+  CommandLine app("Makes the figures and the timing table of the paper, and a page of them.",
+                  "abbe study --paper");
   std::string folder = "docs";
   bool paper = false, quiet = false;
   study::PaperOptions options;
   app.add_flag("--paper", paper, "this");
-  app.add_option("-o,--output", folder, "where paper.md and the folder paper go")
-      ->capture_default_str();
+  app.add_option("-o,--output", folder, "where paper.md and the folder paper go").show_default();
   app.add_option("--rounds", options.rounds, "runs of each row of the timing table")
-      ->check(CLI::Range(1, 99))
-      ->capture_default_str();
+      .range(1, 99)
+      .show_default();
   app.add_flag("--quiet", quiet, "no progress");
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   catch_signals();
   options.program = "/proc/self/exe";
   options.version = ABBE_VERSION;
-  options.examples = stdlib_dir().parent_path() / "examples";
+  options.examples = lang::stdlib_dir().parent_path() / "examples";
   options.folder = folder;
   options.stop = &job::interrupted();
   for (char const* name : {"diamond", "SCHOTT/SF6", "SCHOTT/N-BK7", "SCHOTT/N-FK51A", "SCHOTT/F2",

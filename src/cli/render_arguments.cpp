@@ -66,85 +66,84 @@ int render_failed(Error const& error, int status) {
   return status;
 }
 
-void add_options(CLI::App& app, RenderArguments& arguments) {
+void add_options(CommandLine& app, RenderArguments& arguments) {
   auto& options = arguments.options;
   arguments.scene.add_to(app, true);
   app.add_option("-o,--output", arguments.output,
                  "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)")
-      ->check([](std::string const& name) {
+      .check([](std::string const& name) {
         return name.empty() ? std::string("the name is empty") : std::string();
       });
-  app.add_option("-j,--threads", options.threads, "threads (default: one a core)")
-      ->check(CLI::Range(1, 1024));
+  app.add_option("-j,--threads", options.threads, "threads (default: one a core)").range(1, 1024);
   app.add_option("--aa", arguments.anti_aliasing,
                  "anti-aliasing: up to N x N rays where pixels differ")
-      ->type_name("off|N")
-      ->check(
+      .type_name("off|N")
+      .check(
           [&](std::string const& text) { return set_anti_aliasing(text, options.anti_aliasing); })
-      ->capture_default_str();
+      .show_default();
   app.add_option("--aa-method", options.anti_aliasing.method,
                  "1: grid in pixels that differ from a neighbour; 2: subdivision from the corners, "
                  "N - 1 times")
-      ->check(CLI::Range(1, 2));
+      .range(1, 2);
   app.add_option("--aa-threshold", options.anti_aliasing.threshold, "how much counts as different")
-      ->check(CLI::Range(0.0, 3.0))
-      ->capture_default_str();
+      .range(0.0, 3.0)
+      .show_default();
   app.add_option("--aa-jitter", options.anti_aliasing.jitter,
                  "how far the rays of method 1 lie from the middle of their cells, of the cells")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+      .range(0.0, 1.0)
+      .show_default();
   app.add_option(
          "--error", arguments.target.delta_e,
          "choose mode, bands and anti-aliasing for this mean CIEDE2000 (those given are kept)")
-      ->type_name("DE")
-      ->check(CLI::Range(0.01, 50.0));
+      .type_name("DE")
+      .range(0.01, 50.0);
   app.add_option("--time", arguments.time_text,
                  "choose them for this time of the clock: seconds, or as 30s, 5m")
-      ->type_name("TIME")
-      ->check(
+      .type_name("TIME")
+      .check(
           [&](std::string const& text) { return parse_duration(text, arguments.target.seconds); })
-      ->excludes("--error");
+      .excludes("--error");
   app.add_option("--passes", options.passes,
                  "the mean of so many pictures with random numbers of their own")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str()
-      ->excludes("--error")
-      ->excludes("--time");
-  app.add_option("--seed", options.seed, "of all random numbers")->capture_default_str();
+      .range(1, 1000000)
+      .show_default()
+      .excludes("--error")
+      .excludes("--time");
+  app.add_option("--seed", options.seed, "of all random numbers").show_default();
   app.add_option("--region", arguments.region, "render this part only; x1, y1 not included")
-      ->type_name("x0,y0,x1,y1")
-      ->check([&](std::string const& text) { return set_region(text, options.region); });
+      .type_name("x0,y0,x1,y1")
+      .check([&](std::string const& text) { return set_region(text, options.region); });
   app.add_option("--tile", options.tile_size,
                  "pixels across a tile (default: 32, fewer in small pictures)")
-      ->check(CLI::Range(1, 4096));
-  app.add_option("--exposure", arguments.exposure_ev, "stops, of PNG output")
-      ->capture_default_str();
+      .range(1, 4096);
+  app.add_option("--exposure", arguments.exposure_ev, "stops, of PNG output").show_default();
   app.add_option("--gamut", arguments.gamut,
                  "of PNG output: clip, standard or hue (see abbe tonemap --help)")
-      ->check(CLI::IsMember({"clip", "standard", "hue"}))
-      ->capture_default_str();
+      .one_of({"clip", "standard", "hue"})
+      .show_default();
   app.add_flag("--half", arguments.half, "16-bit EXR");
   app.add_flag("--check-finite", options.check_finite,
                "end at the first sample that is not a number, infinite or negative, and say which "
                "path made it");
   app.add_option("--max-trace-level", options.max_trace_level,
                  "paths end after as many surfaces (default: the scene's)")
-      ->check(CLI::Range(1, 1000));
+      .range(1, 1000);
   app.add_option("--stats", arguments.stats, "write seconds and rays by kind to FILE, as JSON")
-      ->type_name("FILE");
-  auto* cost_map =
+      .type_name("FILE");
+  auto const cost_map =
       app.add_option("--cost-map", arguments.cost_map,
                      "write the number of rays of each pixel to FILE.exr; keeps no checkpoint")
-          ->type_name("FILE");
-  auto* resume = app.add_flag("--resume", arguments.resume,
-                              "go on from OUT.abbe-checkpoint, which an interrupted render left")
-                     ->excludes(cost_map);
-  auto* always = app.add_flag("--checkpoint", arguments.checkpoint,
-                              "keep finished tiles from the first on (default: after 5 s)")
-                     ->excludes(cost_map);
+          .type_name("FILE");
+  auto const resume =
+      app.add_flag("--resume", arguments.resume,
+                   "go on from OUT.abbe-checkpoint, which an interrupted render left")
+          .excludes(cost_map);
+  auto const always = app.add_flag("--checkpoint", arguments.checkpoint,
+                                   "keep finished tiles from the first on (default: after 5 s)")
+                          .excludes(cost_map);
   app.add_flag("--no-checkpoint", arguments.no_checkpoint, "keep none")
-      ->excludes(resume)
-      ->excludes(always);
+      .excludes(resume)
+      .excludes(always);
 }
 
 int check(RenderArguments const& arguments) {

@@ -28,7 +28,7 @@ struct RenderArguments {
   bool has_target() const { return target.delta_e > 0 || target.seconds > 0; }
 };
 
-void add_options(CLI::App& app, RenderArguments& arguments);
+void add_options(CommandLine& app, RenderArguments& arguments);
 
 /// Options that do not go together, or not with the picture: says so. The exit status, 0: go on.
 int check(RenderArguments const& arguments);

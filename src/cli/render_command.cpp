@@ -157,10 +157,10 @@ int render_scene(RenderArguments& arguments) {
 
 int run_render(int argc, char** argv) {
   RenderArguments arguments;
-  CLI::App app("Renders a scene.", "abbe render");
+  CommandLine app("Renders a scene.", "abbe render");
   add_options(app, arguments);
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
-  arguments.target.keep_aa = app.count("--aa") + app.count("--aa-method") > 0;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
+  arguments.target.keep_aa = app.has("--aa") || app.has("--aa-method");
   return render_scene(arguments);
 }
 

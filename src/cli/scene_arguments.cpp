@@ -5,13 +5,12 @@
 #include "grammar/keywords.hpp"
 #include "image/atomic_file.hpp"
 #include "job/interrupt.hpp"
+#include "lang/folders.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <csignal>
-#include <cstdlib>
 #include <fmt/format.h>
-#include <glob.h>
 #include <unistd.h>
 
 namespace abbe::cli {
@@ -61,75 +60,37 @@ void catch_signals() {
   std::signal(SIGBUS, on_lost_text);
 }
 
-std::filesystem::path stdlib_dir() {
-  if (char const* named = std::getenv("ABBE_STDLIB")) return named;
-  return ABBE_STDLIB_DIR;
-}
-
-std::filesystem::path povray_dir() {
-  if (char const* named = std::getenv("ABBE_POVRAY_INCLUDE")) return named;
-  // glob sorts: the last one is the newest.
-  for (char const* pattern :
-       {"/usr/local/share/povray*/include/colors.inc", "/usr/share/povray*/include/colors.inc"}) {
-    glob_t found{};
-    std::filesystem::path folder;
-    if (glob(pattern, 0, nullptr, &found) == 0)
-      folder = std::filesystem::path(found.gl_pathv[found.gl_pathc - 1]).parent_path();
-    globfree(&found);
-    if (!folder.empty()) return folder;
-  }
-  return {};
-}
-
-void SceneArguments::add_to(CLI::App& app, bool with_plan) {
-  app.set_help_flag("--help", "print this help and exit"); // -H is the height
-  app.add_option("SCENE", scene, "the scene file (.scn, .pov)")->required();
-  app.add_option("-W,--width", width, "pixels across")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  app.add_option("-H,--height", height, "pixels down")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+void SceneArguments::add_to(CommandLine& app, bool with_plan) {
+  app.keep_letters_free(); // -H is the height
+  app.add_option("SCENE", scene, "the scene file (.scn, .pov)").required();
+  app.add_option("-W,--width", width, "pixels across").range(1, 100000).show_default();
+  app.add_option("-H,--height", height, "pixels down").range(1, 100000).show_default();
   app.add_option("-D,--declare", declarations, "declare a float or string before the scene")
-      ->type_name("NAME=VALUE")
-      ->check(check_declaration)
-      ->allow_extra_args(false);
+      .type_name("NAME=VALUE")
+      .check(check_declaration)
+      .one_at_a_time();
   app.add_option("-I,--include", include_dirs, "search here for includes too")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      .type_name("DIR")
+      .one_at_a_time();
   app.add_option("--allow-read", read_dirs, "let the scene read files below this folder too")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      .type_name("DIR")
+      .one_at_a_time();
   app.add_flag("--allow-write", allow_write, "let the scene write files (#fopen ... write)");
   app.add_flag("--quiet", quiet, "no progress and no #debug output");
   if (!with_plan) return;
-  app.add_option("--bands", bands, "number of spectral bands")->check(CLI::Range(1, 1000));
+  app.add_option("--bands", bands, "number of spectral bands").range(1, 1000);
   app.add_option(
          "--dispersion", dispersion,
          "for every material, as in a scene: \"none\", \"deterministic\", \"adaptive tolerance "
          "0.5\", \"stochastic rays 4\", \"clusters 4 degrade\", \"hero 4\" ...")
-      ->type_name("MODE")
-      ->check([](std::string const& text) { return check_spectral(dispersion_phrase(text)); });
+      .type_name("MODE")
+      .check([](std::string const& text) { return check_spectral(dispersion_phrase(text)); });
   app.add_option("--representation", representation,
                  "of light: \"bands\", \"composite\", \"basis 6\", \"adaptive tolerance 0.5\"")
-      ->type_name("WORDS")
-      ->check([](std::string const& text) { return check_spectral("representation " + text); });
-  app.add_option("--spacing", spacing, "of bands: uniform or hall")
-      ->check(CLI::IsMember({"uniform", "hall"}));
+      .type_name("WORDS")
+      .check([](std::string const& text) { return check_spectral("representation " + text); });
+  app.add_option("--spacing", spacing, "of bands: uniform or hall").one_of({"uniform", "hall"});
   app.add_flag("--spectral", spectral, "render in bands; EXR output carries them");
-}
-
-int parse_arguments(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (CLI::ParseError const& stop) {
-    if (app.exit(stop) == 0) return 0;
-    for (int i = 1; i < argc; ++i)
-      if (auto const hint = hint_of_word(argv[i]); !hint.empty())
-        fmt::print(stderr, "{}: {}\n", app.get_name(), hint);
-    return 2;
-  }
-  return -1;
 }
 
 std::string parse_duration(std::string const& text, double& seconds) {
@@ -154,8 +115,15 @@ lang::Evaluated* kept(lang::Evaluated&& evaluated) {
 lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   catch_signals();
   lang::EvaluateOptions options;
-  options.stdlib_dir = stdlib_dir();
-  options.povray_dir = povray_dir();
+  options.stdlib_dir = lang::stdlib_dir();
+  if (options.stdlib_dir.empty()) {
+    fmt::print(stderr,
+               "abbe: error[E0501]: abbe's own include files are not there: no folder above "
+               "the program has share/abbe/stdlib, and ABBE_STDLIB is not set\n");
+    status = 3;
+    return nullptr;
+  }
+  options.povray_dir = lang::povray_dir();
   for (auto const& dir : arguments.read_dirs) options.read_dirs.emplace_back(dir);
   for (auto const& dir : arguments.include_dirs) options.include_dirs.emplace_back(dir);
   for (auto const& text : arguments.declarations) {

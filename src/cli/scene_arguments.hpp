@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/command_line.hpp"
 #include "lang/evaluate.hpp"
 #include "plan/plan.hpp"
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,11 +27,8 @@ struct SceneArguments {
   std::string spacing;
   bool spectral = false;
 
-  void add_to(CLI::App& app, bool with_plan);
+  void add_to(CommandLine& app, bool with_plan);
 };
-
-/// Parses the command line; -1 to go on, else the exit status.
-int parse_arguments(CLI::App& app, int argc, char** argv);
 
 /// "90", "90s", "1.5m" or "1h" as seconds. @return what is wrong, empty: nothing
 std::string parse_duration(std::string const& text, double& seconds);
@@ -47,13 +44,6 @@ plan::Overrides overrides_of(SceneArguments const& arguments);
 /// The plan of the scene under the command line's overrides; prints what is wrong.
 std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
                                      SceneArguments const& arguments, int& status);
-
-/// Where abbe's own includes and catalogues are: $ABBE_STDLIB, else where it was built.
-std::filesystem::path stdlib_dir();
-
-/// The include files that came with POV-Ray: $ABBE_POVRAY_INCLUDE, else those of the newest POV-Ray
-/// that is installed. Empty: there are none.
-std::filesystem::path povray_dir();
 
 /// From now on Ctrl-C and SIGTERM set job::interrupted(), and a file that is cut short while it is
 /// read ends the program. load_scene does it.

@@ -5,6 +5,7 @@
 #include "cli/scene_arguments.hpp"
 #include "job/identity.hpp"
 #include "job/interrupt.hpp"
+#include "lang/folders.hpp"
 #include "study/report.hpp"
 #include "study/study.hpp"
 
@@ -36,39 +37,39 @@ int fail(Error const& error, int status) {
   return status;
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
+void add_options(CommandLine& app, Arguments& arguments) {
   arguments.scene.width = 320;
   arguments.scene.height = 240;
   arguments.scene.add_to(app, false);
   app.add_option("--modes", arguments.modes, "what is compared (default: all modes)")
-      ->type_name("NAME,...")
-      ->delimiter(',');
+      .type_name("NAME,...")
+      .separated_by(',');
   app.add_option("--bands", arguments.bands, "numbers of bands")
-      ->type_name("N,...")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .type_name("N,...")
+      .separated_by(',')
+      .range(1, 1000)
+      .show_default();
   app.add_option("--aa", arguments.aa, "anti-aliasing: off, a depth, or depth/threshold")
-      ->type_name("off|N[/T],...")
-      ->delimiter(',')
-      ->capture_default_str();
+      .type_name("off|N[/T],...")
+      .separated_by(',')
+      .show_default();
   app.add_option("--reference", arguments.reference_text,
                  "what all is compared with (default: 450 bands or what a third of the budget is "
                  "enough for, anti-aliasing as the finest of the study)")
-      ->type_name("bands=N,aa=N[/T]");
+      .type_name("bands=N,aa=N[/T]");
   app.add_option("--budget", arguments.budget_text, "time for all of it: seconds, or as 90s, 10m")
-      ->type_name("TIME")
-      ->check([&](std::string const& text) { return parse_duration(text, arguments.budget_s); })
-      ->capture_default_str();
+      .type_name("TIME")
+      .check([&](std::string const& text) { return parse_duration(text, arguments.budget_s); })
+      .show_default();
   app.add_option("--seeds", arguments.seeds, "runs of each stochastic setting")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .range(1, 1000)
+      .show_default();
   app.add_option("-j,--threads", arguments.threads, "threads of each run (default: one a core)")
-      ->check(CLI::Range(1, 1024));
+      .range(1, 1024);
   app.add_option("-o,--output", arguments.folder,
                  "folder of the results (default: SCENE-study); what is there already is not run "
                  "again")
-      ->type_name("DIR");
+      .type_name("DIR");
 }
 
 /// Where the study is, on one line of a terminal; elsewhere a line a setting.
@@ -158,7 +159,7 @@ int run(Arguments& arguments, std::string const& command) {
                                 : result.error().code == "E0530" ? 2
                                                                  : 1);
   auto const written =
-      study::write_report(*result, options, {command, ABBE_VERSION, stdlib_dir() / "study"});
+      study::write_report(*result, options, {command, ABBE_VERSION, lang::stdlib_dir() / "study"});
   if (!written) return fail(written.error(), 3);
   fmt::print("{}", study::to_text(*result));
   if (!scene.quiet)
@@ -174,7 +175,7 @@ int run_study(int argc, char** argv) {
                   [](char const* word) { return std::string_view(word) == "--paper"; }))
     return run_paper(argc, argv);
   Arguments arguments;
-  CLI::App app(
+  CommandLine app(
       "Renders a scene under many settings and measures what each costs and how far it is from a\n"
       "reference: a table, and study.json, study.csv and report.html in a folder.\n"
       "`abbe study --paper` makes docs/paper.md instead: the figures and the timing table of the "
@@ -182,7 +183,7 @@ int run_study(int argc, char** argv) {
       "abbe study");
   add_options(app, arguments);
   auto const command = words_of(argc, argv);
-  if (int const status = parse_arguments(app, argc, argv); status >= 0) return status;
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   std::sort(arguments.bands.begin(), arguments.bands.end());
   auto const reference = study::parse_reference(arguments.reference_text);
   if (!reference) return fail(reference.error(), 2);

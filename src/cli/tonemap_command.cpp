@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "image/io.hpp"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <strings.h>
 
 namespace abbe::cli {
 namespace {
@@ -61,36 +63,30 @@ int map_file(Arguments const& arguments) {
 int run_tonemap(int argc, char** argv) {
   Arguments arguments;
   image::ToneOptions& tone = arguments.png.tone;
-  CLI::App app("Maps a linear image (.exr, LogLuv .tif) to an sRGB .png.", "abbe tonemap");
-  app.add_option("IN", arguments.input, "the linear image")->required();
+  CommandLine app("Maps a linear image (.exr, LogLuv .tif) to an sRGB .png.", "abbe tonemap");
+  app.add_option("IN", arguments.input, "the linear image").required();
   app.add_option("OUT", arguments.output, "the PNG to write")
-      ->required()
-      ->check([](std::string const& name) {
-        return CLI::detail::to_lower(std::filesystem::path(name).extension().string()) == ".png"
+      .required()
+      .check([](std::string const& name) {
+        return strcasecmp(std::filesystem::path(name).extension().c_str(), ".png") == 0
                    ? std::string()
                    : "'" + name + "' does not end in .png";
       });
   app.add_option("--exposure", arguments.exposure,
                  "stops, or auto: geometric mean of the luminances to 0.18")
-      ->type_name("EV|auto")
-      ->check([&tone](std::string const& text) { return set_exposure(text, tone); })
-      ->capture_default_str();
+      .type_name("EV|auto")
+      .check([&tone](std::string const& text) { return set_exposure(text, tone); })
+      .show_default();
   app.add_option("--gamut", arguments.gamut,
                  "clip: each channel on its own; standard: negative channels are mixed "
                  "with grey, which keeps hue and luminance, large ones clipped; hue: large ones "
                  "too keep their hue")
-      ->type_name("clip|standard|hue")
-      ->check(CLI::IsMember({"clip", "standard", "hue"}).description(""))
-      ->capture_default_str();
+      .one_of({"clip", "standard", "hue"})
+      .show_default();
   app.add_option("--bits", arguments.png.bits, "bits per channel")
-      ->type_name("8|16")
-      ->check(CLI::IsMember({8, 16}).description(""))
-      ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (CLI::ParseError const& stop) {
-    return app.exit(stop) == 0 ? 0 : 2;
-  }
+      .one_of({"8", "16"})
+      .show_default();
+  if (int const status = app.parse(argc, argv); status >= 0) return status;
   if (arguments.gamut == "clip") tone.gamut = image::Gamut::Clip;
   if (arguments.gamut == "hue") tone.gamut = image::Gamut::Hue;
   return map_file(arguments);

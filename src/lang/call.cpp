@@ -88,8 +88,8 @@ private:
 /// the call with an argument for each expression, if some stand in a row.
 std::optional<ast::Call> apart(ast::Call const& node) {
   auto const whole = [](ast::Items const& items) {
-    return std::ranges::all_of(
-        items, [](ast::Item const& item) { return boost::relaxed_get<ast::Expr>(&item.get()); });
+    return std::ranges::all_of(items,
+                               [](ast::Item const& item) { return ast::get_if<ast::Expr>(item); });
   };
   bool const in_a_row = std::ranges::any_of(
       node.arguments, [&](ast::Items const& items) { return items.size() > 1 && whole(items); });

@@ -177,8 +177,7 @@ bool ReaderImpl::classify_sum(ast::Expr const& expr, ast::Binary const& sum) {
 
 void ReaderImpl::classify(ast::Expr const& expr) {
   peek_.expr = &expr;
-  if (boost::relaxed_get<ast::LiteralVector>(&expr.get())
-      || boost::relaxed_get<ast::Number>(&expr.get())) {
+  if (ast::get_if<ast::LiteralVector>(expr) || ast::get_if<ast::Number>(expr)) {
     set(Next::Numeric, ast::span_of(expr));
     return;
   }

@@ -23,7 +23,7 @@ Numeric Numeric::promoted(int to) const {
 }
 
 ast::Expr const* Expressions::sole(ast::Items const& items) {
-  return items.size() == 1 ? boost::relaxed_get<ast::Expr>(&items.front().get()) : nullptr;
+  return items.size() == 1 ? ast::get_if<ast::Expr>(items.front()) : nullptr;
 }
 
 Numeric Expressions::numeric(ast::Expr const& expr) {
@@ -188,11 +188,10 @@ Numeric Expressions::operator()(ast::Vector const& node) {
   };
   bool simple = true;
   for (auto const& item : node.components)
-    simple = simple && boost::relaxed_get<ast::Expr>(&item.get()) != nullptr
-             && !ast::get_if<ast::Call>(item);
+    simple = simple && ast::get_if<ast::Expr>(item) != nullptr && !ast::get_if<ast::Call>(item);
   if (simple) {
     for (auto const& item : node.components)
-      add(numeric(boost::get<ast::Expr>(item.get())), ast::span_of(item));
+      add(numeric(*ast::get_if<ast::Expr>(item)), ast::span_of(item));
   } else {
     auto& reader = in_.reader;
     reader.enter_region(node.components, node.span);

@@ -162,8 +162,7 @@ void ReaderImpl::consume() {
 }
 
 void ReaderImpl::advance(Frame& frame) {
-  auto const* const many =
-      boost::relaxed_get<ast::LiteralVectors>(&(*frame.items)[frame.position].get());
+  auto const* const many = ast::get_if<ast::LiteralVectors>((*frame.items)[frame.position]);
   if (many != nullptr && ++frame.element < many->count()) return;
   frame.element = 0;
   ++frame.position;

@@ -9,13 +9,6 @@
 namespace abbe::lang {
 namespace {
 
-/// The single node of a mesh file's items: taken without looking further.
-template <class T>
-T const* plain(ast::Item const& item) {
-  auto const* expr = boost::relaxed_get<ast::Expr>(&item.get());
-  return expr ? boost::relaxed_get<T>(&expr->get()) : nullptr;
-}
-
 constexpr std::string_view size_names[] = {"",         "a float",    "a 2-vector",
                                            "a vector", "a 4-vector", "a colour"};
 
@@ -135,11 +128,11 @@ bool ReaderImpl::take_literal(Numeric& n, int size) {
   Frame& frame = frames_.back();
   if (frame.position >= frame.items->size()) return false;
   ast::Item const& item = (*frame.items)[frame.position];
-  if (auto const* many = boost::relaxed_get<ast::LiteralVectors>(&item.get())) {
+  if (auto const* many = ast::get_if<ast::LiteralVectors>(item)) {
     if (many->size != size) return false;
     auto const first = many->values.begin() + static_cast<std::ptrdiff_t>(frame.element) * size;
     std::copy(first, first + size, n.c.begin());
-  } else if (auto const* literal = plain<ast::LiteralVector>(item)) {
+  } else if (auto const* literal = ast::get_if<ast::LiteralVector>(item)) {
     if (literal->size != size) return false;
     std::copy(literal->values, literal->values + 5, n.c.begin());
   } else {
@@ -156,7 +149,7 @@ std::span<double const> ReaderImpl::literal_vectors(int size, std::size_t most) 
   Frame& frame = frames_.back();
   if (frame.position >= frame.items->size() || most == 0) return {};
   ast::Item const& item = (*frame.items)[frame.position];
-  auto const* many = boost::relaxed_get<ast::LiteralVectors>(&item.get());
+  auto const* many = ast::get_if<ast::LiteralVectors>(item);
   if (many == nullptr || many->size != size) return {};
   std::size_t const first = frame.element;
   std::size_t const count = std::min(most, many->count() - first);
@@ -187,7 +180,7 @@ Numeric ReaderImpl::vector(std::string_view name, int size) {
 double ReaderImpl::number(std::string_view name) {
   Frame& frame = frames_.back();
   if (!peek_.ready && frame.position < frame.items->size()) {
-    if (auto const* literal = plain<ast::Number>((*frame.items)[frame.position])) {
+    if (auto const* literal = ast::get_if<ast::Number>((*frame.items)[frame.position])) {
       ++frame.position;
       asked_.clear();
       return literal->value;
