@@ -2,6 +2,7 @@
 #include "cli/command_line.hpp"
 
 #include "cli/hints.hpp"
+#include "cli/say.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -130,7 +131,7 @@ int CommandLine::parse(int argc, char** argv) {
     if (impl_->app->exit(stop) == 0) return 0;
     for (int i = 1; i < argc; ++i)
       if (auto const hint = hint_of_word(argv[i]); !hint.empty())
-        fmt::print(stderr, "{}: {}\n", impl_->app->get_name(), hint);
+        say("{}: {}\n", impl_->app->get_name(), hint);
     return 2;
   }
   return -1;

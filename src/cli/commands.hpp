@@ -4,7 +4,7 @@
 /// The subcommands of `abbe`. Each gets its own name as argv[0] and its arguments after it, prints
 /// to standard output (results) and standard error (messages), and returns the exit status:
 /// 0 done, 1 the input is wrong, 2 the command line is wrong, 3 a file could not be read or
-/// written, 130 interrupted.
+/// written, 130 or 143 interrupted by SIGINT or SIGTERM, 124 by --max-time.
 namespace abbe::cli {
 
 int run_compare(int argc, char** argv);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "image/io.hpp"
 #include "image/metrics.hpp"
 
@@ -21,7 +22,7 @@ struct Arguments {
 /// The error's status: a file that cannot be read or written is 3, images that do not go
 /// together 1.
 int fail(Error const& error) {
-  fmt::print(stderr, "abbe compare: error[{}]: {}\n", error.code, error.message);
+  say("abbe compare: error[{}]: {}\n", error.code, error.message);
   return error.code == "E0517" ? 1 : 3;
 }
 

@@ -140,7 +140,7 @@ int run_explain(int argc, char** argv) {
       out += cost_of(effect, evaluated->scene, overrides_of(arguments), probe, whole);
     out += '\n';
   }
-  if (job::interrupted()) return 130;
+  if (job::interrupted()) return job::interrupted_status();
   fmt::print("{}", out);
   return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.hpp"
 #include "cli/glass_of_name.hpp"
+#include "cli/say.hpp"
 #include "cli/scene_arguments.hpp"
 #include "lang/evaluate.hpp"
 #include "lang/folders.hpp"
@@ -25,7 +26,7 @@ struct Arguments {
 };
 
 int fail(Error const& error, int status) {
-  fmt::print(stderr, "abbe glass: error[{}]: {}\n", error.code, error.message);
+  say("abbe glass: error[{}]: {}\n", error.code, error.message);
   return status;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/read_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "cli/scene_arguments.hpp"
 #include "grammar/parse.hpp"
 
@@ -13,8 +14,7 @@ namespace {
 int dump_syntax(std::string const& path, bool tokens) {
   auto file = read_file(path);
   if (!file) {
-    fmt::print(stderr, "abbe dump: error[E0501]: cannot read the file '{}': {}\n", path,
-               file.error().message);
+    say("abbe dump: error[E0501]: cannot read the file '{}': {}\n", path, file.error().message);
     return 3;
   }
   SourceSet sources;
@@ -25,7 +25,7 @@ int dump_syntax(std::string const& path, bool tokens) {
   }
   Parsed const parsed = parse(source);
   fmt::print("{}", dump_ast(parsed.document));
-  for (auto const& error : parsed.errors) fmt::print(stderr, "{}\n", format(error));
+  for (auto const& error : parsed.errors) say("{}\n", format(error));
   return parsed.errors.empty() ? 0 : 1;
 }
 

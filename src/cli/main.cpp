@@ -3,6 +3,9 @@
 #include "base/heap.hpp"
 #include "cli/commands.hpp"
 #include "cli/hints.hpp"
+#include "cli/limits.hpp"
+#include "cli/say.hpp"
+#include "cli/scene_arguments.hpp"
 
 #include <array>
 #include <csignal>
@@ -10,17 +13,8 @@
 #include <exception>
 #include <fmt/format.h>
 #include <new>
+#include <string>
 #include <string_view>
-#include <sys/resource.h>
-#include <sys/sysinfo.h>
-
-#if defined(__SANITIZE_ADDRESS__) // gcc
-#define ABBE_WITH_ADDRESS_SANITIZER 1
-#elif defined(__has_feature) // clang
-#define ABBE_WITH_ADDRESS_SANITIZER __has_feature(address_sanitizer)
-#else
-#define ABBE_WITH_ADDRESS_SANITIZER 0
-#endif
 
 namespace {
 
@@ -41,25 +35,26 @@ constexpr std::array commands{
     Command{"tonemap", abbe::cli::run_tonemap, "map a linear image to a PNG"},
 };
 
-void print_usage(std::FILE* out) {
-  fmt::print(out,
-             "abbe {}: ray tracing of scenes in a POV-Ray-style language, exact about glass\n\n"
-             "usage: abbe COMMAND ...    (abbe COMMAND --help tells more)\n\n",
-             ABBE_VERSION);
+std::string usage() {
+  std::string out = fmt::format(
+      "abbe {}: ray tracing of scenes in a POV-Ray-style language, exact about glass\n\n"
+      "usage: abbe COMMAND ...    (abbe COMMAND --help tells more)\n\n",
+      ABBE_VERSION);
   for (auto const& command : commands)
-    fmt::print(out, "  {:9} {}\n", command.name, command.summary);
-  fmt::print(out, "  {:9} {}\n", "test",
-             "build everything and run the tests (by the script ./abbe only)");
+    out += fmt::format("  {:9} {}\n", command.name, command.summary);
+  return out
+         + fmt::format("  {:9} {}\n", "test",
+                       "build everything and run the tests (by the script ./abbe only)");
 }
 
 int run(int argc, char** argv) {
   if (argc < 2) {
-    print_usage(stderr);
+    abbe::cli::say_text(usage());
     return 2;
   }
   std::string_view const name = argv[1];
   if (name == "--help" || name == "-h" || name == "help") {
-    print_usage(stdout);
+    fmt::print("{}", usage());
     return 0;
   }
   if (name == "--version") {
@@ -72,37 +67,25 @@ int run(int argc, char** argv) {
     if (names[i] == name) return commands[i].run(argc - 1, argv + 1);
   }
   std::string const hint = abbe::cli::hint_of_command(name);
-  fmt::print(stderr, "abbe: unknown command '{}'{}\n\n", name,
-             hint.empty() ? abbe::did_you_mean(name, names) : hint);
-  print_usage(stderr);
+  abbe::cli::say("abbe: unknown command '{}'{}\n\n", name,
+                 hint.empty() ? abbe::did_you_mean(name, names) : hint);
+  abbe::cli::say_text(usage());
   return 2;
 }
 
 /// Results that did not reach standard output, say because the disk is full.
 int output_failed() {
-  std::fputs("abbe: error[E0510]: cannot write to standard output\n", stderr);
+  abbe::cli::say("abbe: error[E0510]: cannot write to standard output\n");
   return 3;
-}
-
-/// What does not fit in memory would page without end, or be killed without a word: a failed
-/// allocation can be reported with its place. An eighth is left for the rest of the machine.
-void limit_memory() {
-#if !ABBE_WITH_ADDRESS_SANITIZER // which reserves far more than it uses
-  struct sysinfo machine {};
-  if (sysinfo(&machine) != 0) return;
-  rlim_t const bytes = rlim_t{machine.totalram} / 8 * 7 * machine.mem_unit;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= bytes) return;
-  limit.rlim_cur = bytes;
-  setrlimit(RLIMIT_DATA, &limit);
-#endif
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   abbe::use_one_heap();
-  limit_memory();
+  abbe::cli::occupy_standard_files();
+  abbe::cli::limit_memory_to_machine();
+  abbe::cli::catch_signals();
   // A file that would grow beyond `ulimit -f` is an error of the write, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -110,11 +93,11 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
     return output_failed();
   } catch (std::bad_alloc const&) {
-    fmt::print(stderr, "abbe: error[E0706]: out of memory\n");
+    abbe::cli::say("abbe: error[E0706]: out of memory\n");
     return 1;
   } catch (std::exception const& failure) {
     if (std::ferror(stdout) != 0) return output_failed(); // fmt::print throws
-    fmt::print(stderr, "abbe: internal error: {}\n", failure.what());
+    abbe::cli::say("abbe: internal error: {}\n", failure.what());
     return 1;
   }
 }

@@ -2,6 +2,7 @@
 #include "cli/paper_command.hpp"
 
 #include "cli/glass_of_name.hpp"
+#include "cli/say.hpp"
 #include "cli/scene_arguments.hpp"
 #include "job/interrupt.hpp"
 #include "lang/folders.hpp"
@@ -13,7 +14,7 @@ namespace abbe::cli {
 namespace {
 
 int fail(Error const& error) {
-  fmt::print(stderr, "abbe study: error[{}]: {}\n", error.code, error.message);
+  say("abbe study: error[{}]: {}\n", error.code, error.message);
   return error.code == "E0510" ? 3 : 1;
 }
 
@@ -32,7 +33,6 @@ int run_paper(int argc, char** argv) {
       .show_default();
   app.add_flag("--quiet", quiet, "no progress");
   if (int const status = app.parse(argc, argv); status >= 0) return status;
-  catch_signals();
   options.program = "/proc/self/exe";
   options.version = ABBE_VERSION;
   options.examples = lang::stdlib_dir().parent_path() / "examples";
@@ -45,13 +45,10 @@ int run_paper(int argc, char** argv) {
     if (std::string_view(name) == "SCHOTT/N-SF11") options.prism = *glass;
     options.glasses.push_back(std::move(*glass));
   }
-  if (!quiet)
-    options.on_progress = [](std::string const& now) {
-      fmt::print(stderr, "abbe study: {}\n", now);
-    };
+  if (!quiet) options.on_progress = [](std::string const& now) { say("abbe study: {}\n", now); };
   auto const written = study::write_paper(options);
-  if (!written) return job::interrupted() ? 130 : fail(written.error());
-  if (!quiet) fmt::print(stderr, "abbe: {}\n", (options.folder / "paper.md").string());
+  if (!written) return job::interrupted() ? job::interrupted_status() : fail(written.error());
+  if (!quiet) say("abbe: {}\n", (options.folder / "paper.md").string());
   return 0;
 }
 

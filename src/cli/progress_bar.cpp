@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/progress_bar.hpp"
+#include "cli/say.hpp"
 
 #include <cstdio>
 #include <fmt/format.h>
@@ -34,16 +35,15 @@ void ProgressBar::show(render::Progress const& progress) {
   int const filled = static_cast<int>(progress.share * width);
   std::string const bar = std::string(static_cast<std::size_t>(filled), '#')
                           + std::string(static_cast<std::size_t>(width - filled), '.');
-  fmt::print(stderr, "\r[{}] {:5.1f} %  {:.2f} Mrays/s  {} left \033[K", bar, 100 * progress.share,
-             static_cast<double>(progress.rays) / elapsed / 1e6, duration(left));
-  std::fflush(stderr);
+  say_progress(fmt::format("\r[{}] {:5.1f} %  {:.2f} Mrays/s  {} left \033[K", bar,
+                           100 * progress.share, static_cast<double>(progress.rays) / elapsed / 1e6,
+                           duration(left)));
   shown_ = true;
 }
 
 void ProgressBar::finish() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  say_progress("\r\033[K");
   shown_ = false;
 }
 

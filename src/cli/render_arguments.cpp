@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/render_arguments.hpp"
 
+#include "cli/say.hpp"
 #include "job/job.hpp"
 #include "render/passes.hpp"
 
@@ -45,8 +46,8 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
   if (region->x0 >= 0 && region->y0 >= 0 && region->x0 < region->x1 && region->y0 < region->y1
       && region->x1 <= width && region->y1 <= height)
     return 0;
-  fmt::print(stderr, "abbe render: --region {},{},{},{} is not a part of the {} x {} picture\n",
-             region->x0, region->y0, region->x1, region->y1, width, height);
+  say("abbe render: --region {},{},{},{} is not a part of the {} x {} picture\n", region->x0,
+      region->y0, region->x1, region->y1, width, height);
   return 2;
 }
 
@@ -54,15 +55,14 @@ int check_region(std::optional<render::Region> const& region, int width, int hei
 int check_anti_aliasing(render::AntiAliasing const& aa) {
   constexpr int deepest = 9;
   if (aa.method != 2 || aa.depth <= deepest) return 0;
-  fmt::print(stderr, "abbe render: --aa {} is too deep for --aa-method 2; the most is {}\n",
-             aa.depth, deepest);
+  say("abbe render: --aa {} is too deep for --aa-method 2; the most is {}\n", aa.depth, deepest);
   return 2;
 }
 
 } // namespace
 
 int render_failed(Error const& error, int status) {
-  fmt::print(stderr, "abbe render: error[{}]: {}\n", error.code, error.message);
+  say("abbe render: error[{}]: {}\n", error.code, error.message);
   return status;
 }
 
@@ -151,8 +151,8 @@ int check(RenderArguments const& arguments) {
   if (int const bad = check_region(options.region, arguments.scene.width, arguments.scene.height))
     return bad;
   if (arguments.target.seconds > 0 && (arguments.resume || arguments.checkpoint)) {
-    fmt::print(stderr, "abbe render: --time goes by the clock and keeps no checkpoint; the setting "
-                       "that it tells at the end can be rendered with one\n");
+    say("abbe render: --time goes by the clock and keeps no checkpoint; the setting "
+        "that it tells at the end can be rendered with one\n");
     return 2;
   }
   return check_anti_aliasing(options.anti_aliasing);
@@ -162,10 +162,9 @@ int check_passes(RenderArguments const& arguments, plan::Plan const& plan) {
   auto const& options = arguments.options;
   if (options.passes == 1) return 0;
   if (!render::passes_differ(plan, options.anti_aliasing)) {
-    fmt::print(stderr,
-               "abbe render: --passes {}: each would be the same picture; passes need "
-               "random numbers: --aa N --aa-jitter 1, or a stochastic mode of dispersion\n",
-               options.passes);
+    say("abbe render: --passes {}: each would be the same picture; passes need "
+        "random numbers: --aa N --aa-jitter 1, or a stochastic mode of dispersion\n",
+        options.passes);
     return 2;
   }
   if (job::passes_fit(plan, options)) return 0;

@@ -5,6 +5,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/render_arguments.hpp"
 #include "cli/render_target.hpp"
+#include "cli/say.hpp"
 #include "job/interrupt.hpp"
 #include "job/picture_file.hpp"
 #include "job/stats.hpp"
@@ -47,19 +48,18 @@ job::Keeping keeping_of(RenderArguments const& arguments, lang::Evaluated const&
 
 void say_resumed(std::filesystem::path const& path, std::size_t tiles) {
   if (tiles == 0)
-    fmt::print(stderr, "abbe: nothing to resume in '{}': from the beginning\n", path.string());
+    say("abbe: nothing to resume in '{}': from the beginning\n", path.string());
   else
-    fmt::print(stderr, "abbe: {} tiles resumed from '{}'\n", tiles, path.string());
+    say("abbe: {} tiles resumed from '{}'\n", tiles, path.string());
 }
 
 /// The exit status.
 int say_interrupted(RenderArguments const& arguments, job::Outcome const& outcome) {
-  fmt::print(stderr, "abbe: interrupted; {} was not written\n", arguments.output);
+  say("abbe: interrupted; {} was not written\n", arguments.output);
   if (!outcome.resumable.empty())
-    fmt::print(stderr,
-               "abbe: what is done is in '{}': the same command with --resume goes on from there\n",
-               outcome.resumable.string());
-  return 130;
+    say("abbe: what is done is in '{}': the same command with --resume goes on from there\n",
+        outcome.resumable.string());
+  return job::interrupted_status();
 }
 
 /// Says why there is no picture. The exit status, 0: there is one.
@@ -67,19 +67,18 @@ int say_end(RenderArguments const& arguments, job::Outcome const& outcome) {
   using End = job::Outcome::End;
   switch (outcome.end) {
   case End::Done:
-    if (!outcome.not_kept.empty())
-      fmt::print(stderr, "abbe: no checkpoint could be kept: {}\n", outcome.not_kept);
+    if (!outcome.not_kept.empty()) say("abbe: no checkpoint could be kept: {}\n", outcome.not_kept);
     return 0;
   case End::Interrupted:
     return say_interrupted(arguments, outcome);
   case End::BadSample:
-    fmt::print(stderr, "abbe render: {}", bad_sample_text(*outcome.result.bad_sample));
-    if (outcome.in_passes) fmt::print(stderr, "  in pass {}\n", outcome.result.passes + 1);
+    say("abbe render: {}", bad_sample_text(*outcome.result.bad_sample));
+    if (outcome.in_passes) say("  in pass {}\n", outcome.result.passes + 1);
     return 1;
   case End::NotResumed:
     return render_failed(*outcome.error, outcome.error->code == "E0520" ? 1 : 3);
   case End::NotTaken:
-    return render_failed(*outcome.error, 3);
+    return render_failed(*outcome.error, outcome.error->code == "E0710" ? 1 : 3);
   }
   ABBE_ASSERT(false);
 }
@@ -145,9 +144,9 @@ int render_scene(RenderArguments& arguments) {
   if (int const failed = write_records(arguments, before, *plan, outcome)) return failed;
   if (!arguments.scene.quiet) {
     auto const region = options.pixels();
-    fmt::print(stderr, "{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output,
-               region.x1 - region.x0, region.y1 - region.y0, plan::describe_channels(*plan),
-               all.wall_s(), outcome.result.counts.total());
+    say("{}: {} x {}, {}, {:.2f} s, {} rays\n", arguments.output, region.x1 - region.x0,
+        region.y1 - region.y0, plan::describe_channels(*plan), all.wall_s(),
+        outcome.result.counts.total());
     if (arguments.target.seconds > 0) say_again(arguments, chosen, outcome.result.passes);
   }
   return 0;

@@ -2,6 +2,8 @@
 #include "cli/scene_arguments.hpp"
 
 #include "cli/hints.hpp"
+#include "cli/limits.hpp"
+#include "cli/say.hpp"
 #include "grammar/keywords.hpp"
 #include "image/atomic_file.hpp"
 #include "job/interrupt.hpp"
@@ -77,6 +79,19 @@ void SceneArguments::add_to(CommandLine& app, bool with_plan) {
       .one_at_a_time();
   app.add_flag("--allow-write", allow_write, "let the scene write files (#fopen ... write)");
   app.add_flag("--quiet", quiet, "no progress and no #debug output");
+  app.add_option("--max-time", max_time,
+                 "end after this time as by Ctrl-C, with status 124: seconds, or as 30s, 5m")
+      .type_name("TIME")
+      .check([](std::string const& text) {
+        double seconds = 0;
+        auto wrong = parse_duration(text, seconds);
+        if (wrong.empty()) job::limit_time(seconds);
+        return wrong;
+      });
+  app.add_option("--max-memory", max_memory,
+                 "refuse to take more memory (E0706): bytes, or as 512M, 2G")
+      .type_name("SIZE")
+      .check(limit_memory);
   if (!with_plan) return;
   app.add_option("--bands", bands, "number of spectral bands").range(1, 1000);
   app.add_option(
@@ -113,13 +128,11 @@ lang::Evaluated* kept(lang::Evaluated&& evaluated) {
 } // namespace
 
 lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
-  catch_signals();
   lang::EvaluateOptions options;
   options.stdlib_dir = lang::stdlib_dir();
   if (options.stdlib_dir.empty()) {
-    fmt::print(stderr,
-               "abbe: error[E0501]: abbe's own include files are not there: no folder above "
-               "the program has share/abbe/stdlib, and ABBE_STDLIB is not set\n");
+    say("abbe: error[E0501]: abbe's own include files are not there: no folder above "
+        "the program has share/abbe/stdlib, and ABBE_STDLIB is not set\n");
     status = 3;
     return nullptr;
   }
@@ -134,12 +147,11 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   options.image_height = arguments.height;
   options.allow_write = arguments.allow_write;
   options.stop = &job::interrupted();
-  if (!arguments.quiet)
-    options.on_message = [](std::string_view text) { fmt::print(stderr, "{}", text); };
+  if (!arguments.quiet) options.on_message = [](std::string_view text) { say_text(text); };
   std::size_t printed = 0;
   int errors = 0;
   options.on_diagnostic = [&](Diagnostic const& diagnostic) {
-    fmt::print(stderr, "{}\n", format(diagnostic));
+    say("{}\n", format(diagnostic));
     if (diagnostic.severity == Severity::Error) ++errors;
     ++printed;
   };
@@ -148,17 +160,16 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   while (printed < evaluated.diagnostics.size())
     options.on_diagnostic(evaluated.diagnostics[printed]);
   if (evaluated.unreadable)
-    if (auto const hint = hint_of_scene(arguments.scene); !hint.empty())
-      fmt::print(stderr, "abbe: {}\n", hint);
+    if (auto const hint = hint_of_scene(arguments.scene); !hint.empty()) say("abbe: {}\n", hint);
   if (evaluated.ok())
     if (auto const warning = nothing_to_see(evaluated.scene); !warning.empty())
-      fmt::print(stderr, "{}: warning[E0256]: {}\n", arguments.scene, warning);
+      say("{}: warning[E0256]: {}\n", arguments.scene, warning);
   if (evaluated.interrupted) {
-    status = 130;
+    status = job::interrupted_status();
     return nullptr;
   }
   if (errors > 0) {
-    fmt::print(stderr, "abbe: {} error{}\n", errors, errors == 1 ? "" : "s");
+    say("abbe: {} error{}\n", errors, errors == 1 ? "" : "s");
     status = evaluated.unreadable ? 3 : 1;
     return nullptr;
   }
@@ -192,7 +203,7 @@ std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
                           ? effects.overrides.front().span
                           : evaluated.scene.settings.spectral.span;
     diagnostic.message = plan.error().message;
-    fmt::print(stderr, "{}\n", format(diagnostic));
+    say("{}\n", format(diagnostic));
     status = 1;
     return std::nullopt;
   }

@@ -21,6 +21,7 @@ struct SceneArguments {
   std::vector<std::string> read_dirs; ///< --allow-read
   bool allow_write = false;
   bool quiet = false;
+  std::string max_time, max_memory;
   std::optional<int> bands;
   std::string dispersion; ///< the words of a mode
   std::string representation;
@@ -45,8 +46,8 @@ plan::Overrides overrides_of(SceneArguments const& arguments);
 std::optional<plan::Plan> plan_scene(lang::Evaluated const& evaluated,
                                      SceneArguments const& arguments, int& status);
 
-/// From now on Ctrl-C and SIGTERM set job::interrupted(), and a file that is cut short while it is
-/// read ends the program. load_scene does it.
+/// From now on Ctrl-C and SIGTERM set job::interrupted() and end the program soon, and a file that
+/// is cut short while it is read ends it.
 void catch_signals();
 
 } // namespace abbe::cli

@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "cli/identity.hpp"
 #include "cli/paper_command.hpp"
+#include "cli/say.hpp"
 #include "cli/scene_arguments.hpp"
 #include "job/identity.hpp"
 #include "job/interrupt.hpp"
@@ -33,7 +34,7 @@ struct Arguments {
 };
 
 int fail(Error const& error, int status) {
-  fmt::print(stderr, "abbe study: error[{}]: {}\n", error.code, error.message);
+  say("abbe study: error[{}]: {}\n", error.code, error.message);
   return status;
 }
 
@@ -84,14 +85,13 @@ public:
         fmt::format("{}/{}  {}  ({:.0f} s, {:.0f} s left)", progress.done, progress.total,
                     progress.now, progress.elapsed_s, progress.left_s);
     if (terminal_)
-      fmt::print(stderr, "\r{}\033[K", line);
+      say_progress(fmt::format("\r{}\033[K", printable(line)));
     else
-      fmt::print(stderr, "abbe study: {}\n", line);
-    std::fflush(stderr);
+      say("abbe study: {}\n", line);
     shown_ = true;
   }
   void finish() {
-    if (shown_ && terminal_) fmt::print(stderr, "\r\033[K");
+    if (shown_ && terminal_) say_progress("\r\033[K");
     shown_ = false;
   }
 
@@ -150,9 +150,9 @@ int run(Arguments& arguments, std::string const& command) {
   auto const result = study::run_study(options);
   progress.finish();
   if (job::interrupted()) {
-    fmt::print(stderr, "abbe: interrupted; the same command goes on from what is in '{}'\n",
-               options.folder.string());
-    return 130;
+    say("abbe: interrupted; the same command goes on from what is in '{}'\n",
+        options.folder.string());
+    return job::interrupted_status();
   }
   if (!result)
     return fail(result.error(), result.error().code == "E0510"   ? 3
@@ -163,8 +163,7 @@ int run(Arguments& arguments, std::string const& command) {
   if (!written) return fail(written.error(), 3);
   fmt::print("{}", study::to_text(*result));
   if (!scene.quiet)
-    fmt::print(stderr, "abbe: {} ({:.0f} s)\n", (options.folder / "report.html").string(),
-               result->elapsed_s);
+    say("abbe: {} ({:.0f} s)\n", (options.folder / "report.html").string(), result->elapsed_s);
   return 0;
 }
 

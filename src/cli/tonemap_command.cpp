@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "image/io.hpp"
 
 #include <charconv>
@@ -20,7 +21,7 @@ struct Arguments {
 };
 
 int fail(Error const& error) {
-  fmt::print(stderr, "abbe tonemap: error[{}]: {}\n", error.code, error.message);
+  say("abbe tonemap: error[{}]: {}\n", error.code, error.message);
   return 3;
 }
 
@@ -53,8 +54,7 @@ int map_file(Arguments const& arguments) {
       100 * static_cast<double>(report.negative) / pixels,
       100 * static_cast<double>(report.over_range) / pixels);
   if (report.not_a_number)
-    fmt::print(stderr, "abbe tonemap: warning: {} pixels are NaN, shown black\n",
-               report.not_a_number);
+    say("abbe tonemap: warning: {} pixels are NaN, shown black\n", report.not_a_number);
   return 0;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "image/atomic_file.hpp"
 
+#include "base/new_file.hpp"
+
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -136,6 +138,7 @@ Result<AtomicFile> AtomicFile::create(fs::path const& path) {
       ::unlink(temporary.c_str());
       return cannot_write(path, reason(os_error));
     }
+    take_over_rights(descriptor, *target);
     return AtomicFile(*target, temporary, stream);
   }
 }

@@ -9,7 +9,8 @@
 namespace abbe::image {
 
 /// A file that appears under its name only when it is complete: written under a temporary name in
-/// the same directory, renamed by commit(), removed when destroyed before that. What a killed
+/// the same directory, with the mode and owner of what it replaces, renamed by commit(), removed
+/// when destroyed before that. What a killed
 /// process left there is removed when the same file is written again; what a living one writes is
 /// not.
 class AtomicFile {

@@ -19,8 +19,9 @@ namespace abbe::job {
 namespace {
 
 constexpr std::size_t kept_bytes = 4096;
-/// A child that was asked to end and does not is killed after this.
-constexpr double patience_s = 5;
+/// A child that was asked to end and does not is killed after this: because it took too long, or
+/// because this process shall end soon itself.
+constexpr double patience_s = 5, little_patience_s = 0.3;
 
 double seconds(timeval const& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
@@ -84,7 +85,7 @@ ChildResult run_child(std::string const& program, std::vector<std::string> const
       result.end = stopped ? ChildResult::End::Stopped : ChildResult::End::TimedOut;
       asked = now;
       kill(child, SIGTERM);
-    } else if (asked > 0 && now - asked > patience_s) {
+    } else if (asked > 0 && now - asked > (stopped ? little_patience_s : patience_s)) {
       kill(child, SIGKILL);
     }
   }

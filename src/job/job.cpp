@@ -6,6 +6,9 @@
 #include "render/checkpoint.hpp"
 #include "render/passes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <memory>
 #include <sys/resource.h>
@@ -48,10 +51,25 @@ void conclude(Outcome& out, render::Checkpoint* checkpoint, Sink& sink) {
     out.error = done.error();
   }
   if (!checkpoint) return;
-  if (out.end == End::Done || out.end == End::BadSample)
+  bool const useless = out.error && out.error->code == "E0710"; // its tiles hold the same
+  if (out.end == End::Done || out.end == End::BadSample || useless)
     checkpoint->remove();
   else if (checkpoint->written())
     out.resumable = checkpoint->path();
+}
+
+/// No picture holds light that is not a number or infinite. @param above rows handed on before
+std::optional<Error> look_for_infinite(image::Image const& rows, render::Region const& region,
+                                       int above) {
+  auto const bad = std::find_if(rows.rgb.begin(), rows.rgb.end(),
+                                [](float value) { return !std::isfinite(value); });
+  if (bad == rows.rgb.end()) return std::nullopt;
+  auto const pixel = static_cast<int>((bad - rows.rgb.begin()) / 3);
+  return Error{"E0710",
+               fmt::format("the light of pixel {}, {} is {}: --check-finite tells which "
+                           "path made it",
+                           region.x0 + pixel % rows.width, region.y0 + above + pixel / rows.width,
+                           std::isnan(*bad) ? "not a number" : "infinite")};
 }
 
 /// What this process may allocate, bytes.
@@ -89,7 +107,11 @@ Outcome run(scene::Scene&& scene, plan::Plan const& plan, Options const& options
       passes = done;
       return clock.wanted(done);
     };
+  int above = 0;
   made.on_rows = [&](image::Image const& rows) {
+    out.error = look_for_infinite(rows, asked.pixels(), above);
+    above += rows.height;
+    if (out.error) return false;
     auto const taken = sink.take(rows, passes);
     if (!taken) out.error = taken.error();
     return bool(taken);

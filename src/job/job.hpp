@@ -71,7 +71,7 @@ struct Outcome {
     Interrupted, ///< by RenderOptions::stop
     BadSample,   ///< there is no picture because of RenderResult::bad_sample
     NotResumed,  ///< `error` says why it cannot be gone on from: E0520, E0521
-    NotTaken     ///< `error` is the sink's
+    NotTaken     ///< `error` is the sink's, or E0710: light that is not a number or infinite
   } end = End::Done;
   render::RenderResult result; ///< its image is empty: the sink has had it
   std::optional<Error> error;

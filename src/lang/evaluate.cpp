@@ -45,7 +45,7 @@ void on_large_stack(std::function<void()> run) {
   pthread_attr_setstacksize(&attributes, stack_size);
   int const failed = pthread_create(&thread, &attributes, run_work, &work);
   pthread_attr_destroy(&attributes);
-  ABBE_ASSERT(failed == 0);
+  if (failed != 0) throw std::bad_alloc(); // no memory for the stack, or no thread left
   pthread_join(thread, nullptr);
   if (work.failure) std::rethrow_exception(work.failure);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/files.hpp"
 
+#include "base/new_file.hpp"
 #include "base/read_file.hpp"
 #include "lang/interpreter.hpp"
 #include "lang/known_names.hpp"
@@ -8,9 +9,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <fmt/format.h>
-#include <fstream>
 #include <system_error>
 #include <tuple>
+#include <unistd.h>
 
 namespace abbe::lang {
 namespace {
@@ -22,20 +23,21 @@ namespace fs = std::filesystem;
 std::error_code write_whole(fs::path const& path, std::string const& text) {
   std::error_code failed;
   if (fs::is_directory(path, failed)) return std::make_error_code(std::errc::is_a_directory);
-  fs::path const unfinished = path.parent_path() / ("." + path.filename().string() + ".tmp");
-  fs::remove(unfinished, failed);
-  errno = 0;
-  std::ofstream out(unfinished, std::ios::binary);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) {
-    failed.assign(errno != 0 ? errno : EIO, std::generic_category());
-  } else {
-    fs::rename(unfinished, path, failed);
-    if (!failed) return {};
+  NewFile const unfinished = make_file_beside(path);
+  if (unfinished.descriptor < 0) return {errno, std::generic_category()};
+  take_over_rights(unfinished.descriptor, path);
+  int reason = 0;
+  for (std::string_view left = text; !left.empty() && reason == 0;) {
+    ssize_t const put = ::write(unfinished.descriptor, left.data(), left.size());
+    if (put > 0) left.remove_prefix(static_cast<std::size_t>(put));
+    if (put < 0 && errno != EINTR) reason = errno;
   }
+  if (::close(unfinished.descriptor) != 0 && reason == 0) reason = errno;
+  if (reason == 0) fs::rename(unfinished.path, path, failed);
+  if (reason == 0 && !failed) return {};
+  if (reason != 0) failed.assign(reason, std::generic_category());
   std::error_code ignored;
-  fs::remove(unfinished, ignored);
+  fs::remove(unfinished.path, ignored);
   return failed;
 }
 

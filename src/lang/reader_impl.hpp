@@ -286,7 +286,8 @@ private:
   ast::Expr element_; ///< the one of many vectors that is next, as an expression
   std::vector<std::string_view> asked_;
   Span missing_at_;
-  bool comma_ = false; ///< behind a macro call that ended since this was last cleared
+  int missing_again_ = 0; ///< how often since
+  bool comma_ = false;    ///< behind a macro call that ended since this was last cleared
   int macros_ = 0;
   int includes_ = 0;
   /// Number of a face texture; `declared` tells apart those that were declared, null otherwise.

@@ -61,9 +61,14 @@ void ReaderImpl::missing(std::string_view name, std::string_view kind) {
     return;
   }
   if (missing_at_.source == span.source && missing_at_.begin == span.begin
-      && missing_at_.end == span.end)
+      && missing_at_.end == span.end) {
+    // Whoever reads values as long as there is something does not wait for the end in vain.
+    constexpr int patience = 1000;
+    if (++missing_again_ > patience && !at_end()) skip();
     return;
+  }
   missing_at_ = span;
+  missing_again_ = 0;
   if (follows) return;
   in_.error("E0301", fmt::format("expected {} ({}), found {}", name, kind, describe_next()), span);
   bool const wrong_type =
@@ -228,12 +233,17 @@ std::vector<double> ReaderImpl::components(std::string_view name, int count) {
   } else {
     consume();
     enter_region(vector_node->components, span);
+    bool wrong = false;
     while (!at_end()) {
-      std::size_t const errors = static_cast<std::size_t>(in_.error_count());
-      values.push_back(number("a component"));
-      if (static_cast<std::size_t>(in_.error_count()) > errors && !at_end()) skip();
+      wrong = wrong || next() != Next::Numeric;
+      if (wrong)
+        missing("a component", "a float");
+      else
+        values.push_back(number("a component"));
+      if (wrong && !at_end()) skip();
     }
     leave_region();
+    if (wrong) return std::vector<double>(wanted);
   }
   if (values.size() != wanted)
     in_.error("E0302",

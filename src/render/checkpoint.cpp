@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/checkpoint.hpp"
 
+#include "base/new_file.hpp"
 #include "base/word_hash.hpp"
 
 #include <array>
@@ -18,10 +19,19 @@ namespace {
 
 struct Header {
   std::array<char, 16> magic{'a', 'b', 'b', 'e', ' ', 'c', 'h', 'e',
-                             'c', 'k', 'p', 'o', 'i', 'n', 't', '1'};
+                             'c', 'k', 'p', 'o', 'i', 'n', 't', '2'};
   std::uint64_t hash = 0;
   std::uint32_t tiles = 0, passes = 0;
+  std::uint64_t checksum = 0; ///< of the above
 };
+static_assert(sizeof(Header) == 40);
+
+std::uint64_t checksum(Header header) {
+  header.checksum = 0;
+  WordHash sum;
+  sum.add(&header, sizeof header);
+  return sum.value();
+}
 
 struct Record {
   std::uint32_t pass = 0, tile = 0;
@@ -85,6 +95,7 @@ Result<std::size_t> Checkpoint::resume() {
   auto const magic = header.magic;
   if (!read_at(descriptor_, &header, sizeof header, 0) || header.magic != magic)
     return refuse("it is not a checkpoint of this version of abbe");
+  if (header.checksum != checksum(header)) return refuse("its beginning is damaged");
   if (header.hash != identity_())
     return Error{"E0520",
                  fmt::format("'{}' belongs to another scene, other options or another build of "
@@ -97,9 +108,8 @@ Result<std::size_t> Checkpoint::resume() {
 
 /// Finds the whole tiles; what comes behind the last is cut off when the next is written.
 Result<std::size_t> Checkpoint::read_tiles() {
-  offsets_.assign(std::size_t{tiles_} * passes_, 0);
+  offsets_.clear();
   end_ = sizeof(Header);
-  std::size_t found = 0;
   std::vector<float> values;
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) return Error{"E0521", reason()};
@@ -113,28 +123,31 @@ Result<std::size_t> Checkpoint::read_tiles() {
     if (!read_at(descriptor_, values.data(), values.size() * sizeof(float), end_ + sizeof record)
         || checksum(record, values) != record.checksum)
       break;
-    std::uint64_t& known = offsets_[slot(record.pass, record.tile)];
-    if (known == 0) ++found;
-    known = end_;
+    offsets_[slot(record.pass, record.tile)] = end_;
     end_ = next;
   }
-  return found;
+  return offsets_.size();
 }
 
 void Checkpoint::begin(std::uint32_t tiles, std::uint32_t passes) {
   if (descriptor_ >= 0) {
-    ABBE_ASSERT(tiles == tiles_ && passes == passes_); // the identity covers them
-    if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) problem_ = reason();
+    // The identity covers them: only a forged file has others.
+    if (tiles != tiles_ || passes != passes_) {
+      offsets_.clear();
+      problem_ = "the checkpoint is of another picture";
+    } else if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
+      problem_ = reason();
+    }
     return;
   }
   tiles_ = tiles;
   passes_ = passes;
-  offsets_.assign(std::size_t{tiles} * passes, 0);
 }
 
 std::optional<TileResult> Checkpoint::find(std::uint32_t pass, std::uint32_t tile) const {
-  std::uint64_t const offset = offsets_[slot(pass, tile)];
-  if (offset == 0) return std::nullopt;
+  auto const known = offsets_.find(slot(pass, tile));
+  if (known == offsets_.end()) return std::nullopt;
+  std::uint64_t const offset = known->second;
   Record record;
   TileResult result;
   if (!read_at(descriptor_, &record, sizeof record, offset)) return std::nullopt;
@@ -169,20 +182,21 @@ void Checkpoint::keep(std::uint32_t pass, std::uint32_t tile, TileResult const& 
 
 bool Checkpoint::start_file() {
   // Not under its name before it has a header: a file that is there can be gone on from.
-  std::filesystem::path const temporary = path_.string() + fmt::format(".{}", ::getpid());
-  descriptor_ = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  auto const file = make_file_beside(path_);
+  descriptor_ = file.descriptor;
   Header header;
   header.hash = identity_();
   header.tiles = tiles_;
   header.passes = passes_;
+  header.checksum = checksum(header);
   bool const made = descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0
                     && append(&header, sizeof header)
-                    && ::rename(temporary.c_str(), path_.c_str()) == 0;
+                    && ::rename(file.path.c_str(), path_.c_str()) == 0;
   if (made) return true;
   problem_ = reason();
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
-  ::unlink(temporary.c_str());
+  ::unlink(file.path.c_str());
   return false;
 }
 

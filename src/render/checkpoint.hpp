@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace abbe::render {
@@ -76,8 +77,8 @@ private:
   std::function<std::uint64_t()> identity_;
   std::uint32_t tiles_ = 0, passes_ = 0;
   int descriptor_ = -1;
-  std::uint64_t end_ = 0;              ///< of the last whole tile
-  std::vector<std::uint64_t> offsets_; ///< by slot; 0: not there
+  std::uint64_t end_ = 0;                                  ///< of the last whole tile
+  std::unordered_map<std::size_t, std::uint64_t> offsets_; ///< by slot
   std::string problem_;
   std::mutex appending_;
 };

@@ -303,6 +303,9 @@ private:
     auto const known =
         options_.checkpoint->find(first_phase_ + phase, static_cast<std::uint32_t>(tile));
     if (!known) return false;
+    std::size_t wanted = 0;
+    rows_of(strip, box, [&](std::vector<float>&, std::size_t, std::size_t n) { wanted += n; });
+    if (known->values.size() != wanted) return false; // forged
     auto from = known->values.begin();
     rows_of(strip, box, [&](std::vector<float>& to, std::size_t first, std::size_t count) {
       std::copy_n(from, count, to.begin() + static_cast<std::ptrdiff_t>(first));

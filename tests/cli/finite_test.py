@@ -22,6 +22,12 @@ class Finite(CliTest):
         self.assertRegex(said, r'camera\s+ray, 3 channels, meets the sphere at <.*> of .*scene.scn:3:1: made there')
         self.assertEqual(self.names(), ['quick.scn', 'scene.scn'])
 
+    def test_no_picture_holds_infinite_light(self):
+        self.write('scene.scn', SCENE % ('1e300', '.6'))
+        said = self.render('-o', 'out.exr', '--checkpoint', scene='scene.scn', status=1).stderr
+        self.assertRegex(said, r'error\[E0710\]: the light of pixel \d+, \d+ is infinite')
+        self.assertEqual(self.names(), ['quick.scn', 'scene.scn'])
+
     def test_negative_light_by_a_finish_is_wrong(self):
         self.assertIn('is negative', self.check('1', '-.5', 1))
         self.assertEqual(self.names(), ['quick.scn', 'scene.scn'])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Ctrl-C and its kin: status 130 within two seconds, nothing half written; the progress bar."""
+"""Ctrl-C and its kin: an end within two seconds wherever a run is, nothing half written; the progress bar."""
 import os
 import pty
 import re
@@ -30,7 +30,7 @@ class Interrupt(CliTest):
         with Running(self.folder, 'render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png', '--no-checkpoint',
                      *words) as running:
             running.wait_until_busy()
-            message = self.ends(running, running.signal(number))
+            message = self.ends(running, running.signal(number), 128 + number)
         self.assertIn('interrupted', message)
         self.assertEqual(self.names(), ['quick.scn', 'slow.scn'])
 
@@ -76,6 +76,49 @@ class Interrupt(CliTest):
                     with Running(self.folder, *command, 'loop.scn') as running:
                         running.wait_until_busy(0.1)
                         self.ends(running, running.signal())
+
+    # What does not come back to look whether it shall end: one step of evaluation, one structure, one pixel.
+    LONG = {
+        'array': '#declare A = array[4096][4096] #declare B = array[1000000] #for (I, 0, 999999) #declare B[I] = A; #end',
+        'function': '#declare F0 = function(x) { x }\n' + ''.join(
+            f'#declare F{i} = function(x) {{ F{i - 1}(x) + F{i - 1}(x) }}\n' for i in range(1, 60))
+            + '#declare A = F59(1);',
+        'pigment': support.QUICK + '#declare P = pigment { rgb 1 }\n#for (I, 1, 40) '
+            '#declare P = pigment { gradient y pigment_map { [0 P] [1 P] } } #end sphere { 0, 1 pigment { P } }',
+        'coincident': support.QUICK + '#for (I, 1, 20000) sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } #end',
+        'mirrors': 'global_settings { max_trace_level 256 adc_bailout 0 }\n' + support.QUICK
+            + '#for (I, 0, 7) sphere { <cos(I), sin(I), 0>, 1 pigment { rgbt 1 }'
+              ' finish { reflection 0.99 diffuse 0 ambient 0 } interior { ior 1.5 } } #end',
+    }
+
+    def test_what_takes_long_in_one_step(self):
+        for name, text in self.LONG.items():
+            for number in (signal.SIGINT, signal.SIGTERM):
+                with self.subTest(name=name, number=number):
+                    self.write('long.scn', text)
+                    with Running(self.folder, 'render', 'long.scn', '-W', 1000, '-H', 1000, '-j', 1, '-o',
+                                 'out.png') as running:
+                        running.wait_until_busy(0.3)
+                        self.ends(running, running.signal(number), 128 + number)
+                    self.assertEqual([name for name in self.names() if not name.endswith('.scn')], [])
+
+    def test_a_run_with_a_limit_of_time(self):
+        done = self.run_abbe('render', 'slow.scn', '-W', 2000, '-H', 2000, '-o', 'out.png', '--max-time', '0.5s',
+                             '--checkpoint', status=124)
+        self.assertIn('--resume', done.stderr)
+        self.assertEqual(self.names(), ['out.png.abbe-checkpoint', 'quick.scn', 'slow.scn'])
+        self.render_quick('--max-time', '1h')
+        self.assertIn('expected a time', self.render_quick('--max-time', 'soon', status=2).stderr)
+
+    def render_quick(self, *words, **more):
+        return CliTest.render(self, '-o', 'quick.png', *words, **more)
+
+    def test_a_run_with_a_limit_of_memory(self):
+        self.write('large.scn', '#declare A = array[100000000] #for (I, 0, 99999999) #declare A[I] = I; #end')
+        done = self.run_abbe('check', 'large.scn', '--max-memory', '300M', status=1)
+        self.assertIn('E0706', done.stderr)
+        self.render_quick('--max-memory', '1G')
+        self.assertIn('expected a size', self.render_quick('--max-memory', '1X', status=2).stderr)
 
     def test_interrupt_while_reading_a_large_mesh(self):
         vertices = ', '.join(f'<{i}, {i * i % 7}, {i % 3}>' for i in range(300000))

@@ -58,7 +58,7 @@ def check_library(build: pathlib.Path, folder: pathlib.Path) -> None:
     drawn = run(folder / 'build/render_to_memory', env={'ABBE_STDLIB': str(stdlib)}).splitlines()
     # A ball that is lit from the upper left: bright there, dark at the lower right, nothing around.
     assert len(drawn) == 16 and all(len(line) == 64 for line in drawn), drawn
-    assert drawn[5][27] in '#@' and drawn[12][40] in ' .' and drawn[0][0] == ' ', drawn
+    assert drawn[4][22] == '#' and drawn[11][33] == '.' and drawn[0][0] == ' ', drawn
 
 
 def check_package(build: pathlib.Path, folder: pathlib.Path) -> None:

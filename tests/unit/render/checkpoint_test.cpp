@@ -151,6 +151,28 @@ TEST_F(Checkpoints, WithoutTheirHeaderAreRefused) {
   EXPECT_EQ(found(), "E0521");
 }
 
+/// No number of the header is believed before its checksum is right.
+TEST_F(Checkpoints, WithAChangedHeaderAreRefused) {
+  leave({0, 1});
+  std::string const whole = bytes();
+  for (std::size_t at = 0; at < 40; ++at) {
+    std::string other = whole;
+    other[at] = static_cast<char>(other[at] ^ 1);
+    write(other);
+    EXPECT_EQ(found(), "E0521") << at;
+  }
+}
+
+/// As only a forged file can be: the header is right, but for another number of tiles.
+TEST_F(Checkpoints, OfOtherTilesAreNotTaken) {
+  leave({0, 1});
+  Checkpoint checkpoint(path, 0, [] { return identity; });
+  ASSERT_TRUE(checkpoint.resume());
+  checkpoint.begin(tiles + 1, passes);
+  EXPECT_FALSE(checkpoint.find(0, 0));
+  EXPECT_NE(checkpoint.problem(), "");
+}
+
 /// Killed at any moment: whatever of the last tile was written.
 TEST_F(Checkpoints, CutShortHaveTheTilesThatAreWhole) {
   leave({3});
