@@ -79,6 +79,17 @@ class Files(CliTest):
             self.assertTrue(re.search(r'scene\.scn:1:\d+.*error', self.run_abbe('check', 'scene.scn', status=1).stderr))
 
 
+class Numbers(CliTest):
+    def test_triangles_of_any_size_are_drawn_or_not(self):
+        lamp = 'camera { location <0, 1.5, -6> look_at 0 } light_source { <-5, 5, -5>, 1 }\n'
+        for shape in ('triangle { <-1,0,0>, <1,0,0>, <0,1,0> matrix <1,0,0, 1e300,1,0, 0,0,1, 0,0,0> }',
+                      'mesh { triangle { <-1,0,0>, <1e308,0,0>, <-1e300,1,0> } triangle { <-1,0,1>, <1,0,1>, <0,1,1> } }',
+                      'mesh { triangle { <-1,0,0>, <1,0,0>, <0,1,0> } scale 1e-300 }'):
+            with self.subTest(shape=shape):
+                self.write('scene.scn', lamp + shape)
+                self.render('-o', 'out.png', scene='scene.scn')
+
+
 class Limits(CliTest):
     def test_little_address_space_is_an_error(self):
         for kilobytes in (200000, 300000, 400000, 600000):

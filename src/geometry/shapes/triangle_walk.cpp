@@ -42,7 +42,9 @@ struct TriangleWalk::Search {
   template <class L>
   static bool run(TriangleWalk& walk, double to) {
     for (;;) {
-      if (walk.leaf_.count == 0 && !walk.walk_.next_in<L>(to, walk.leaf_)) return false;
+      // A line whose numbers are too large for any axis to be tested meets the empty boxes too.
+      while (walk.leaf_.count == 0)
+        if (!walk.walk_.next_in<L>(to, walk.leaf_)) return false;
       auto const count = std::min(walk.leaf_.count, std::uint32_t{simd::width<L>});
       walk.first_ = walk.leaf_.first;
       walk.hits_ = walk.hit<L>(walk.first_, count);
