@@ -216,6 +216,11 @@ std::optional<FaceBlend> World::face_blend(PrimitiveId id, std::uint32_t face,
   Placed const& placed = impl_->primitives[id];
   return placed.shape().face_blend(placed.to_object(point), face);
 }
+Vec2 World::uv(PrimitiveId id, std::uint32_t face, Vec3 const& point) const {
+  Placed const& placed = impl_->primitives[id];
+  Vec3 const inner = placed.to_object(point);
+  return placed.shape().uv(inner, face).value_or(Vec2(inner.x, inner.y));
+}
 Shape const& World::shape(PrimitiveId id) const {
   return impl_->primitives[id].shape();
 }

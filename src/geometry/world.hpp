@@ -134,6 +134,8 @@ public:
   Bounds bounds(SolidId) const;
   /// Of a face whose corners have different textures: these, and their shares at the point.
   std::optional<FaceBlend> face_blend(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
+  /// The primitive's own surface coordinates at a point; x and y of its space where it has none.
+  Vec2 uv(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   Shape const& shape(PrimitiveId) const;
 
   struct Impl; ///< of this folder's own

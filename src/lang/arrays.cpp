@@ -57,6 +57,10 @@ std::string_view type_name(Value const& value) {
                                         "a sky sphere",
                                         "a glass",
                                         "a spectrum",
+                                        "a normal",
+                                        "a map of normals",
+                                        "a map of slopes",
+                                        "a map of textures",
                                         "a thing that is not supported yet"};
   static_assert(std::size(kinds) == std::variant_size_v<Value::Any>);
   if (auto const* number = std::get_if<Numeric>(&value.any)) return sizes[number->size];

@@ -26,24 +26,42 @@ Numeric colour_of(scene::Colour const& colour) {
   return n;
 }
 
-/// The colour of a pigment at a point of the space around it.
+/// Of a pigment that mixes its entries by their weights.
+Numeric average_at(scene::Pigment const& pigment, Vec3 const& inner) {
+  Numeric out = colour_of({});
+  double sum = 0;
+  for (auto const& entry : pigment.entries) sum += entry.value;
+  for (auto const& entry : pigment.entries) {
+    Numeric const own = colour_at(*entry.pigment, inner);
+    for (std::size_t i = 0; i < 5; ++i) out.c[i] += entry.value / sum * own.c[i];
+  }
+  return out;
+}
+
+} // namespace
+
 Numeric colour_at(scene::Pigment const& pigment, Vec3 const& point) {
   if (!pigment.pattern) return colour_of(pigment.colour);
   std::vector<double> values;
   for (auto const& entry : pigment.entries) values.push_back(entry.value);
-  auto const position = texture::look_up(values, pigment.pattern->evaluate(point));
-  Vec3 inner = point;
-  auto const& mappings = pigment.pattern->mappings;
-  for (auto m = mappings.rbegin(); m != mappings.rend(); ++m) inner = m->linear * inner + m->offset;
+  Vec3 const inner = pigment.pattern->place(point);
   auto const at = [&](int i) {
     return colour_at(*pigment.entries[static_cast<std::size_t>(i)].pigment, inner);
   };
+  if (pigment.pattern->pattern->has_colours()) {
+    texture::PatternColour const own = pigment.pattern->pattern->colour_at(inner);
+    return colour_of({own.rgb, own.filter, own.transmit, nullptr});
+  }
+  if (pigment.pattern->pattern->averages()) return average_at(pigment, inner);
+  auto const position = texture::look_up(values, pigment.pattern->value(inner));
   Numeric colour = at(position.first);
   if (position.weight == 0) return colour;
   Numeric const second = at(position.second);
   for (std::size_t i = 0; i < 5; ++i) colour.c[i] += position.weight * (second.c[i] - colour.c[i]);
   return colour;
 }
+
+namespace {
 
 bool has_spectrum(scene::Pigment const& pigment) {
   return pigment.colour.spectrum || std::ranges::any_of(pigment.entries, [](auto const& entry) {

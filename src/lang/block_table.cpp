@@ -46,6 +46,13 @@ Value pigment_value(Reader& in, std::string_view) {
   read_pigment(in, pigment);
   return shared(std::move(pigment), span);
 }
+Value normal_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  scene::Normal normal;
+  if (auto const& known = default_texture(in, span).normal) normal = *known;
+  read_normal(in, normal, {});
+  return shared(std::move(normal), span);
+}
 Value finish_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
   scene::Finish finish = *default_texture(in, span).finish;
@@ -77,6 +84,18 @@ Value color_map_value(Reader& in, std::string_view) {
 Value pigment_map_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
   return shared(MapValue{read_pigment_map(in)}, span);
+}
+Value normal_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(NormalMapValue{read_normal_map(in)}, span);
+}
+Value slope_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(SlopeMapValue{read_slope_map(in)}, span);
+}
+Value texture_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(TextureMapValue{read_texture_map(in)}, span);
 }
 /// A spectrum is a colour: it can be scaled and stand wherever a colour may.
 Value spectrum_value(Reader& in, std::string_view) {
@@ -161,12 +180,16 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"light_source", light_value, place_light},
     {"material", material_value, nullptr},
     {"merge", object_value, place_object_value},
+    {"normal", normal_value, nullptr},
+    {"normal_map", normal_map_value, nullptr},
     {"object", object_value, place_object_value},
     {"pigment", pigment_value, nullptr},
     {"pigment_map", pigment_map_value, nullptr},
     {"sky_sphere", sky_value, place_sky},
+    {"slope_map", slope_map_value, nullptr},
     {"spectrum", spectrum_value, nullptr},
     {"texture", texture_value, nullptr},
+    {"texture_map", texture_map_value, nullptr},
     {"transform", transform_value, nullptr},
     {"union", object_value, place_object_value},
 };

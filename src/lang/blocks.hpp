@@ -124,6 +124,13 @@ void transform_pigment(scene::Pigment&, geometry::Transform const&);
 /// `color_map`, `pigment_map` (the opened block's content).
 std::vector<scene::Pigment::Entry> read_color_map(Reader&);
 std::vector<scene::Pigment::Entry> read_pigment_map(Reader&);
+/// normal.cpp. @param moved what a block without a pattern was moved by, for one that it gets
+void read_normal(Reader&, scene::Normal&, geometry::Transform const& moved);
+void transform_normal(std::shared_ptr<scene::Normal const>&, geometry::Transform const&);
+std::vector<scene::Normal::Entry> read_normal_map(Reader&);
+std::vector<scene::Normal::Slope> read_slope_map(Reader&);
+/// texture_map.cpp
+std::vector<scene::TextureMap::Entry> read_texture_map(Reader&);
 void read_finish(Reader&, scene::Finish&);
 /// A bare name shares what it stands for.
 scene::SharedLayers read_texture(Reader&);

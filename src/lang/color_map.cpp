@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lang/blocks.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
+#include "lang/pattern.hpp"
 
 namespace abbe::lang {
 
@@ -51,50 +47,26 @@ void read_color_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
 }
 
 void read_pigment_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
-  double const value = in.number("map value");
+  double const value = read_entry_value(in);
   auto pigment = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
   read_pigment(in, *pigment);
   entries.push_back({value, std::move(pigment)});
-}
-
-/// Look-up takes ascending values for granted. POV-Ray finds the first entry above the value, which
-/// the running maximum keeps.
-void make_ascending(std::vector<Pigment::Entry>& entries, Reader& in) {
-  bool reported = false;
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].value >= entries[i - 1].value) continue;
-    if (!reported)
-      in.report(Severity::Warning, "E0356",
-                fmt::format("map values should ascend, {} follows {}", entries[i].value,
-                            entries[i - 1].value),
-                entries[i].pigment->span);
-    reported = true;
-    entries[i].value = entries[i - 1].value;
-  }
 }
 
 std::vector<Pigment::Entry> read_map(Reader& in, std::string_view what,
                                      void (*read_entry)(Reader&, std::vector<Pigment::Entry>&)) {
   std::vector<Pigment::Entry> entries;
   if (auto named = in.accept_value<MapValue>()) entries = named->entries;
-  while (!in.at_end()) {
-    if (in.open_bracket()) {
-      read_entry(in, entries);
-      in.close();
-    } else {
-      reject(in, "an entry [value ...]");
-    }
-  }
-  if (entries.empty())
-    in.report(Severity::Error, "E0250", fmt::format("{} has no entries", what), in.block_span());
-  make_ascending(entries, in);
+  read_entries(in, what, entries, read_entry);
   return entries;
 }
 
 } // namespace
 
 std::vector<Pigment::Entry> read_color_map(Reader& in) {
-  return read_map(in, "a color_map", read_color_entry);
+  auto entries = read_map(in, "a color_map", read_color_entry);
+  make_ascending(entries, in, [](auto const& entry) { return entry.pigment->span; });
+  return entries;
 }
 
 std::vector<Pigment::Entry> read_pigment_map(Reader& in) {

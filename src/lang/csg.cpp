@@ -87,6 +87,7 @@ struct Inherited {
   scene::SharedLayers texture, interior_texture;
   std::shared_ptr<scene::Interior const> interior;
   std::optional<bool> hollow;
+  bool uv_mapping = false; ///< of the textures
   bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
 };
 
@@ -119,6 +120,7 @@ Inherited inherit(Object& object, Inherited const& from) {
   // An own texture is complete: nothing of the parent's, not even its inner one, is added.
   bool const own = object.texture.has_value();
   to.texture = own ? object.texture : from.texture;
+  to.uv_mapping = own ? object.uv_mapping : from.uv_mapping || object.uv_mapping;
   to.interior_texture =
       own || object.interior_texture ? object.interior_texture : from.interior_texture;
   return to;
@@ -140,6 +142,10 @@ void settle_leaf(Object& object, Inherited const& with, Reader& in) {
   if (!object.texture) object.texture = with.texture;
   if (!object.interior_texture) object.interior_texture = with.interior_texture;
   warn_about_interior(in, object);
+  if (with.uv_mapping)
+    for (scene::SharedLayers* const layers : {&object.texture, &object.interior_texture})
+      if (layers->has_value())
+        for (scene::Texture& layer : **layers) layer.uv = true;
   if (object.texture) return;
   bool const glass = object.interior && object.interior->glass;
   object.texture =

@@ -212,13 +212,43 @@ private:
     line("{}", role);
     Deeper const deeper(*this);
     placement(t.placement);
+    if (t.uv) line("uv_mapping");
+    if (t.map) return map(*t.map);
     pigment(t.pigment, "pigment");
+    if (t.normal) normal(*t.normal, "normal");
     finish(*t.finish);
+  }
+
+  void map(scene::TextureMap const& m) {
+    pattern(*m.pattern, "texture_map");
+    Deeper const deeper(*this);
+    for (auto const& entry : m.entries)
+      for (scene::Texture const& t : entry.layers)
+        texture(t, fmt::format("[{}]", text(entry.value)));
+  }
+
+  void normal(scene::Normal const& n, std::string const& role) {
+    if (!n.pattern) return line("{} none", role);
+    pattern(*n.pattern, role);
+    Deeper const deeper(*this);
+    line("bump_size {} accuracy {}{}", text(n.amount), text(n.accuracy),
+         n.no_bump_scale ? " no_bump_scale" : "");
+    for (auto const& slope : n.slopes)
+      line("[{}] height {} slope {}", text(slope.value), text(slope.height), text(slope.slope));
+    for (auto const& entry : n.entries)
+      normal(*entry.normal, fmt::format("[{}]", text(entry.value)));
   }
 
   void pigment(Pigment const& p, std::string const& role) {
     if (!p.pattern) return line("{} {}", role, text(p.colour));
-    texture::PatternModifiers const& m = p.pattern->modifiers;
+    pattern(*p.pattern, role);
+    Deeper const deeper(*this);
+    for (Pigment::Entry const& entry : p.entries)
+      pigment(*entry.pigment, fmt::format("[{}]", text(entry.value)));
+  }
+
+  void pattern(texture::PatternInstance const& p, std::string_view role) {
+    texture::PatternModifiers const& m = p.modifiers;
     std::string rest;
     if (m.turbulence)
       rest +=
@@ -228,14 +258,16 @@ private:
     if (m.phase != 0) rest += fmt::format(" phase {}", text(m.phase));
     if (m.wave) rest += fmt::format(" wave {}", static_cast<int>(*m.wave));
     // A pattern has no name here: its values at two places tell which it is.
-    line("{} pattern value {} {} noise_generator {}{}", role,
-         text(p.pattern->evaluate(Vec3(0.3, 0.7, 1.9))),
-         text(p.pattern->evaluate(Vec3(-1.1, 2.3, 0.4))), m.noise_generator, rest);
+    line("{} pattern value {} {} noise_generator {}{}", role, text(p.evaluate(Vec3(0.3, 0.7, 1.9))),
+         text(p.evaluate(Vec3(-1.1, 2.3, 0.4))), m.noise_generator, rest);
     Deeper const deeper(*this);
-    for (texture::Mapping const& mapping : p.pattern->mappings)
-      line("mapping {}", text(mapping.linear, mapping.offset));
-    for (Pigment::Entry const& entry : p.entries)
-      pigment(*entry.pigment, fmt::format("[{}]", text(entry.value)));
+    if (p.uv) line("uv_mapping");
+    for (texture::Mapping const& mapping : p.mappings)
+      if (mapping.warp)
+        line("warp {} {}", text(mapping.warp->apply(Vec3(0.3, 0.7, 1.9))),
+             text(mapping.warp->apply(Vec3(-1.1, 2.3, 0.4))));
+      else
+        line("mapping {}", text(mapping.linear, mapping.offset));
   }
 
   void finish(scene::Finish const& f) {

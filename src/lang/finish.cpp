@@ -122,6 +122,20 @@ bool read_highlight(Reader& in, Finish& finish, Albedo& albedo) {
   return true;
 }
 
+/// `irid { AMOUNT [thickness T] [turbulence T] }`
+void read_irid(Reader& in, Finish& finish) {
+  finish.irid = in.number("amount of iridescence");
+  while (!in.at_end()) {
+    if (in.accept("thickness"))
+      finish.irid_thickness = in.number("thickness");
+    else if (in.accept("turbulence"))
+      finish.irid_turbulence = in.number("turbulence");
+    else
+      reject(in, "an item of irid");
+  }
+  in.close();
+}
+
 bool read_item(Reader& in, Finish& finish, Albedo& albedo) {
   if (in.accept("ambient"))
     finish.ambient = read_rgb(in, "ambient");
@@ -129,6 +143,10 @@ bool read_item(Reader& in, Finish& finish, Albedo& albedo) {
     finish.emission = read_rgb(in, "emission");
   else if (in.accept("brilliance"))
     finish.brilliance = read_at_least(in, "brilliance", 0);
+  else if (in.accept("crand"))
+    finish.crand = in.number("crand");
+  else if (in.open("irid"))
+    read_irid(in, finish);
   else if (in.accept("conserve_energy"))
     finish.conserve_energy = in.boolean_or(true);
   else

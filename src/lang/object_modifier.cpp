@@ -48,6 +48,13 @@ bool read_flag(Reader& in, std::string_view word, std::optional<bool>& flag) {
 }
 
 bool read_flags(Reader& in, Object& object) {
+  if (Span const at = in.next_span(); in.accept("uv_mapping")) {
+    object.uv_mapping = in.boolean_or(true);
+    if (object.texture || object.interior_texture)
+      in.report(Severity::Error, "E0252", "uv_mapping must stand before the textures of an object",
+                at);
+    return true;
+  }
   if (in.accept("no_shadow")) {
     object.no_shadow = true;
     return true;
@@ -76,8 +83,8 @@ bool read_hint(Reader& in) {
 bool at_surface(Reader& in) {
   if (in.next() != Next::Block) return false;
   std::string_view const word = in.next_word();
-  return word == "texture" || word == "pigment" || word == "finish" || word == "interior"
-         || word == "interior_texture" || word == "material";
+  return word == "texture" || word == "pigment" || word == "finish" || word == "normal"
+         || word == "interior" || word == "interior_texture" || word == "material";
 }
 
 } // namespace
@@ -103,8 +110,9 @@ bool read_object_modifier(Reader& in, Object& object) {
 void transform_object(Object& object, geometry::Transform const& transform) {
   if (transform.none()) return;
   object.placement = object.placement.then(transform);
-  if (object.texture) transform_layers(*object.texture, transform);
-  if (object.interior_texture) transform_layers(*object.interior_texture, transform);
+  if (object.texture && !object.uv_mapping) transform_layers(*object.texture, transform);
+  if (object.interior_texture && !object.uv_mapping)
+    transform_layers(*object.interior_texture, transform);
   for (scene::Layers& layers : object.face_textures) transform_layers(layers, transform);
   for (Object& clip : object.clipped_by) transform_object(clip, transform);
   for (Object& bound : object.bounded_by) transform_object(bound, transform);

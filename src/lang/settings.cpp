@@ -149,8 +149,6 @@ bool read_ignored(Reader& in) {
     in.number("max_intersections");
   } else if (in.accept("number_of_waves")) {
     if (in.number("number_of_waves") != 10) warn_ignored(in, "a number_of_waves other than 10", at);
-  } else if (in.accept("irid_wavelength")) {
-    read_rgb(in, "irid_wavelength"); // `irid` itself is reported
   } else if (in.accept("mm_per_unit")) {
     in.number("mm_per_unit"); // for subsurface, which is reported
   } else {
@@ -183,6 +181,8 @@ bool read_item(Reader& in, Settings& settings) {
     settings.contact = read_contact(in);
   } else if (in.accept("ambient_light")) {
     settings.ambient_light = read_rgb(in, "ambient_light");
+  } else if (in.accept("irid_wavelength")) {
+    settings.irid_wavelength = read_rgb(in, "irid_wavelength").rgb;
   } else if (in.accept("max_trace_level")) {
     settings.max_trace_level = in.integer("max_trace_level", 1, 256);
   } else if (in.accept("noise_generator")) {

@@ -58,6 +58,18 @@ struct FileValue;     // see files.hpp
 struct MapValue {
   std::vector<scene::Pigment::Entry> entries;
 };
+/// `normal_map`.
+struct NormalMapValue {
+  std::vector<scene::Normal::Entry> entries;
+};
+/// `texture_map`.
+struct TextureMapValue {
+  std::vector<scene::TextureMap::Entry> entries;
+};
+/// `slope_map`.
+struct SlopeMapValue {
+  std::vector<scene::Normal::Slope> entries;
+};
 struct MaterialValue {
   scene::SharedLayers texture, interior_texture;
   std::shared_ptr<scene::Interior const> interior;
@@ -78,7 +90,10 @@ struct Value {
                    std::shared_ptr<MapValue const>, std::shared_ptr<geometry::Transform const>,
                    std::shared_ptr<scene::Camera const>, std::shared_ptr<scene::Light const>,
                    std::shared_ptr<scene::SkySphere const>, std::shared_ptr<optics::Glass const>,
-                   std::shared_ptr<optics::Spectrum const>, Unsupported>;
+                   std::shared_ptr<optics::Spectrum const>, std::shared_ptr<scene::Normal const>,
+                   std::shared_ptr<NormalMapValue const>, std::shared_ptr<SlopeMapValue const>,
+                   std::shared_ptr<TextureMapValue const>,
+                   Unsupported>;
   Any any;
   Span declared_at;
   Few<Diagnostic> deferred = {}; ///< what of it is not supported yet: told when it is used

@@ -43,6 +43,9 @@ private:
   }
   void layers(scene::Layers const& layers) {
     for (auto const& texture : layers) {
+      if (texture.map)
+        for (auto const& entry : texture.map->entries) this->layers(entry.layers);
+      if (texture.map) continue;
       pigment(texture.pigment);
       colour_(texture.finish->ambient);
       light_(texture.finish->emission);

@@ -15,10 +15,22 @@ namespace {
 using scene::Switch;
 
 bool lets_light_pass(scene::Pigment const& pigment) {
+  if (pigment.pattern && pigment.pattern->pattern->has_colours())
+    return pigment.pattern->pattern->lets_light_pass();
   if (pigment.pattern)
     return std::any_of(pigment.entries.begin(), pigment.entries.end(),
                        [](auto const& entry) { return lets_light_pass(*entry.pigment); });
   return pigment.colour.filter != 0 || pigment.colour.transmit != 0;
+}
+
+/// Is it true of a texture, or of one of those that it is made of?
+template <class Is>
+bool any_texture(scene::Layers const& layers, Is const& is) {
+  return std::any_of(layers.begin(), layers.end(), [&](scene::Texture const& texture) {
+    if (!texture.map) return is(texture);
+    return std::any_of(texture.map->entries.begin(), texture.map->entries.end(),
+                       [&](auto const& entry) { return any_texture(entry.layers, is); });
+  });
 }
 
 /// May the camera stand in the object?
@@ -47,7 +59,7 @@ bool unseen(scene::Object const& object, Vec3 const& camera) {
 /// Can a ray get into the object, or ask for its index?
 bool reachable(scene::Object const& object, Vec3 const& camera) {
   auto const opens = [](scene::Layers const& layers) {
-    return std::any_of(layers.begin(), layers.end(), [](scene::Texture const& texture) {
+    return any_texture(layers, [](scene::Texture const& texture) {
       return lets_light_pass(texture.pigment)
              || (texture.finish->reflection && texture.finish->reflection->fresnel);
     });
@@ -106,7 +118,7 @@ private:
   /// Does the object have what would cost elsewhere too: an inside, a mirror, clear places?
   static bool calls_for_more(scene::Object const& object) {
     auto const more = [](scene::Layers const& layers) {
-      return std::any_of(layers.begin(), layers.end(), [](scene::Texture const& texture) {
+      return any_texture(layers, [](scene::Texture const& texture) {
         return texture.finish->reflection || lets_light_pass(texture.pigment);
       });
     };
@@ -138,6 +150,8 @@ private:
   void pigment(scene::Pigment const& pigment, bool of_surface) {
     if (pigment.pattern) {
       find(Effect::Patterns, "a patterned pigment", pigment.span);
+      if (of_surface && pigment.pattern->pattern->lets_light_pass())
+        find(Effect::FilteringShadows, "a pigment that lets light pass", pigment.span);
       for (auto const& entry : pigment.entries)
         if (seen_.insert(entry.pigment.get()).second) this->pigment(*entry.pigment, of_surface);
       return;
@@ -148,7 +162,13 @@ private:
   }
 
   void texture(scene::Texture const& texture) {
+    if (texture.map) {
+      find(Effect::Patterns, "a patterned texture", texture.span);
+      for (auto const& entry : texture.map->entries) layers(entry.layers);
+      return;
+    }
     pigment(texture.pigment, true);
+    if (texture.normal) find(Effect::Patterns, "a normal", texture.normal->span);
     scene::Finish const& finish = *texture.finish;
     colour(finish.ambient, texture.span);
     colour(finish.emission, texture.span);

@@ -6,9 +6,11 @@
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/world_builder.hpp"
 #include "render/finish_numbers.hpp"
+#include "render/normal_compiler.hpp"
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace abbe::render {
 namespace {
@@ -226,6 +228,11 @@ private:
     if (object.texture) surface.layers = layers(object.texture);
     if (object.interior_texture) surface.interior_layers = layers(object.interior_texture);
     for (auto const& face : object.face_textures) surface.face_layers.push_back(layers(face));
+    auto const maps = [&](std::vector<int> const& numbers) {
+      return std::ranges::any_of(numbers, [&](int n) { return compiled(n).map >= 0; });
+    };
+    surface.mapped = maps(surface.layers) || maps(surface.interior_layers)
+                     || std::ranges::any_of(surface.face_layers, maps);
     piece.opaque = opaque(surface.layers)
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
     for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
@@ -248,17 +255,23 @@ private:
   /// Only what lies under a layer that lets light pass can be seen.
   bool opaque(std::vector<int> const& numbers) const {
     return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [&](int number) {
-             return pigments_.opaque(
-                 stage_.textures.layers[static_cast<std::size_t>(number)].pigment);
+             CompiledLayer const& layer = compiled(number);
+             if (layer.map < 0) return pigments_.opaque(layer.pigment);
+             auto const& entries =
+                 stage_.textures.maps[static_cast<std::size_t>(layer.map)].entries;
+             return std::ranges::all_of(entries, [&](auto const& entry) { return opaque(entry); });
            });
+  }
+  CompiledLayer const& compiled(int number) const {
+    return stage_.textures.layers[static_cast<std::size_t>(number)];
   }
 
   /// Lets all light pass and adds none: what a glass without a texture has.
   bool invisible(int number) const {
     CompiledLayer const& layer = stage_.textures.layers[static_cast<std::size_t>(number)];
     CompiledFinish const& finish = stage_.textures.finish(layer);
-    return pigments_.clear(layer.pigment) && finish.phong == 0 && finish.specular == 0
-           && !finish.reflection;
+    return layer.map < 0 && pigments_.clear(layer.pigment) && layer.normal < 0 && finish.phong == 0
+           && finish.specular == 0 && !finish.reflection;
   }
 
   std::vector<int> const& layers(scene::SharedLayers const& textures) {
@@ -278,12 +291,19 @@ private:
   }
 
   int layer(scene::Texture const& texture) {
+    if (texture.map) return mapped_layer(texture);
     CompiledLayer layer;
+    layer.uv = texture.uv;
+    stage_.textures.uses_uv = stage_.textures.uses_uv || texture.uv;
+    if (texture.pigment.pattern) note_needs(texture.pigment);
+    if (texture.normal) note_needs(*texture.normal);
     layer.pigment = pigments_.add(texture.pigment);
-    layer.finish = finish(texture.finish);
+    bool const tilts = texture.normal && texture.normal->pattern;
+    layer.finish = finish(texture.finish, tilts);
     auto const fresh = static_cast<std::uint32_t>(stage_.textures.layers.size());
-    if (texture.pigment.pattern) {
-      Transform const to_stage = texture.placement.then(to_stage_);
+    if (texture.pigment.pattern || tilts || texture.uv) {
+      Transform const to_stage = to_stage_of(texture);
+      layer.normal = normals_.add(texture.normal, to_stage.inverse_linear);
       layer.space = static_cast<int>(stage_.textures.texture_spaces.size());
       stage_.textures.texture_spaces.push_back({to_stage.inverse_linear, to_stage.inverse_offset});
     } else {
@@ -301,10 +321,59 @@ private:
     return static_cast<int>(fresh);
   }
 
-  int finish(Shared<scene::Finish> const& finish) {
-    int const number = finishes_.of(finish);
+  /// What patterns ask of surfaces costs something only where it is asked for.
+  void note_needs(texture::PatternInstance const* pattern) {
+    if (pattern == nullptr) return;
+    stage_.textures.uses_uv = stage_.textures.uses_uv || pattern->uv;
+    stage_.textures.sees = stage_.textures.sees || pattern->pattern->looks();
+  }
+  void note_needs(scene::Pigment const& pigment) {
+    note_needs(pigment.pattern.get());
+    for (auto const& entry : pigment.entries) note_needs(*entry.pigment);
+  }
+  void note_needs(scene::Normal const& normal) {
+    note_needs(normal.pattern.get());
+    for (auto const& entry : normal.entries) note_needs(*entry.normal);
+  }
+
+  /// Surface coordinates do not move with the camera.
+  Transform to_stage_of(scene::Texture const& texture) const {
+    return texture.uv ? texture.placement.transform() : texture.placement.then(to_stage_);
+  }
+
+  int mapped_layer(scene::Texture const& texture) {
+    surface::Textures& textures = stage_.textures;
+    surface::CompiledTextureMap map;
+    map.pattern = texture.map->pattern;
+    note_needs(map.pattern.get());
+    textures.uses_uv = textures.uses_uv || texture.uv;
+    Transform const to_stage = to_stage_of(texture);
+    map.linear = to_stage.inverse_linear;
+    for (auto step = map.pattern->mappings.rbegin(); step != map.pattern->mappings.rend(); ++step)
+      map.linear = step->linear * map.linear;
+    Transform const outside = std::exchange(to_stage_, Transform{}); // entries lie in the pattern
+    for (auto const& entry : texture.map->entries) {
+      map.values.push_back(entry.value);
+      map.entries.push_back(layers(entry.layers));
+    }
+    to_stage_ = outside;
+    CompiledLayer layer;
+    layer.uv = texture.uv;
+    layer.map = static_cast<int>(textures.maps.size());
+    layer.space = static_cast<int>(textures.texture_spaces.size());
+    // A finish that is never asked for, but has a number.
+    layer.finish = finish(texture.finish, false);
+    textures.texture_spaces.push_back({to_stage.inverse_linear, to_stage.inverse_offset});
+    textures.maps.push_back(std::move(map));
+    textures.layers.push_back(layer);
+    return static_cast<int>(textures.layers.size()) - 1;
+  }
+
+  int finish(Shared<scene::Finish> const& finish, bool tilts) {
+    int const number = finishes_.of(finish, tilts);
     if (static_cast<std::size_t>(number) == stage_.textures.finishes.size()) {
       stage_.textures.finishes.push_back(compile_finish(*finish, scene_.settings, colours_));
+      stage_.textures.finishes.back().tilts = tilts;
       if (plan_.is_off(scene::Switch::Reflection))
         stage_.textures.finishes.back().reflection.reset();
     }
@@ -320,6 +389,7 @@ private:
   Transform to_stage_ = Transform::translation(-scene_.camera.location);
   geometry::WorldBuilder world_;
   FinishNumbers finishes_;
+  NormalCompiler normals_{stage_.textures};
   NumberTable plain_layers_; ///< by numbers of pigment and finish
   scene::SharedLayers latest_;
   std::vector<int> latest_layers_; ///< of these

@@ -26,17 +26,18 @@ bool same(scene::Finish const& a, scene::Finish const& b) {
          && a.phong_size == b.phong_size && a.specular == b.specular && a.roughness == b.roughness
          && a.metallic == b.metallic && a.reflection.has_value() == b.reflection.has_value()
          && (!a.reflection || same(*a.reflection, *b.reflection))
-         && a.conserve_energy == b.conserve_energy;
+         && a.conserve_energy == b.conserve_energy && a.crand == b.crand && a.irid == b.irid
+         && a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence;
 }
 
 } // namespace
 
-int FinishNumbers::of(Shared<scene::Finish> const& finish) {
+int FinishNumbers::of(Shared<scene::Finish> const& finish, bool tilts) {
   std::size_t const oldest = known_.size() - std::min(known_.size(), looked_through);
   for (std::size_t i = known_.size(); i-- > oldest;)
-    if (Shared<scene::Finish> const& known = known_[i]; same(*known, *finish))
+    if (auto const& [known, tilting] = known_[i]; tilting == tilts && same(*known, *finish))
       return static_cast<int>(i);
-  known_.push_back(finish);
+  known_.emplace_back(finish, tilts);
   return static_cast<int>(known_.size()) - 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace abbe::render {
@@ -12,10 +13,11 @@ namespace abbe::render {
 /// no more than that; one that comes again later has another number then.
 class FinishNumbers {
 public:
-  int of(Shared<scene::Finish> const& finish);
+  /// @param tilts finishes of layers with normals of their own have other numbers
+  int of(Shared<scene::Finish> const& finish, bool tilts);
 
 private:
-  std::vector<Shared<scene::Finish>> known_;
+  std::vector<std::pair<Shared<scene::Finish>, bool>> known_;
 };
 
 } // namespace abbe::render

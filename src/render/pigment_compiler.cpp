@@ -22,6 +22,10 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
   CompiledPattern map;
   map.pattern = pigment.pattern;
   CompiledPigment out;
+  if (pigment.pattern->pattern->has_colours()) {
+    out.opaque = !pigment.pattern->pattern->lets_light_pass();
+    make_colour_grid();
+  }
   for (auto const& entry : pigment.entries) {
     map.values.push_back(entry.value);
     map.entries.push_back(add_shared(entry.pigment));
@@ -31,6 +35,19 @@ int PigmentCompiler::add(scene::Pigment const& pigment) {
   stage_.textures.patterns.push_back(std::move(map));
   stage_.textures.pigments.push_back(out);
   return static_cast<int>(stage_.textures.pigments.size()) - 1;
+}
+
+void PigmentCompiler::make_colour_grid() {
+  surface::Textures& textures = stage_.textures;
+  constexpr int side = 17;
+  if (!colours_.spectral() || textures.colour_grid_side != 0) return;
+  textures.colour_grid_side = side;
+  for (int r = 0; r < side; ++r)
+    for (int g = 0; g < side; ++g)
+      for (int b = 0; b < side; ++b) {
+        Channels const value = colours_.reflectance({Vec3(r, g, b) / (side - 1.0), 0, 0, nullptr});
+        textures.colour_grid.insert(textures.colour_grid.end(), value.begin(), value.end());
+      }
 }
 
 int PigmentCompiler::add_plain(scene::Colour const& colour) {
@@ -87,6 +104,17 @@ Channels product(Channels a, Channels const& b) {
   return a;
 }
 
+/// What a thin film's colours go by, in micrometres: the wavelengths of the channels, or those that
+/// the scene says for r, g and b.
+Channels film_wavelengths(scene::Settings const& settings, ColourCompiler const& colours) {
+  if (!colours.spectral())
+    return {settings.irid_wavelength.x, settings.irid_wavelength.y, settings.irid_wavelength.z};
+  Channels out;
+  for (int i = 0; i < colours.channels(); ++i)
+    out.push_back(colours.spectral()->lambda_nm(i) / 1000);
+  return out;
+}
+
 } // namespace
 
 CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const& settings,
@@ -106,6 +134,11 @@ CompiledFinish compile_finish(scene::Finish const& finish, scene::Settings const
   out.roughness = finish.roughness;
   out.metallic = finish.metallic;
   out.conserve_energy = finish.conserve_energy;
+  out.crand = finish.crand;
+  out.irid = finish.irid;
+  out.irid_thickness = finish.irid_thickness;
+  out.irid_turbulence = finish.irid_turbulence;
+  if (finish.irid != 0) out.irid_wavelength = film_wavelengths(settings, colours);
   if (finish.reflection)
     out.reflection = compile_reflection(*finish.reflection, colours, colours.spectral());
   return out;

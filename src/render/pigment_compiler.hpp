@@ -25,6 +25,8 @@ public:
 
 private:
   int add_shared(std::shared_ptr<scene::Pigment const> const& pigment);
+  /// For patterns with colours of their own.
+  void make_colour_grid();
   int add_plain(scene::Colour const& colour);
   CompiledPigment const& of(int number) const {
     return stage_.textures.pigments[static_cast<std::size_t>(number)];

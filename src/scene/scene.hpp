@@ -76,18 +76,56 @@ struct Finish {
   double metallic = 0;
   std::optional<Reflection> reflection;
   bool conserve_energy = false;
+  double crand = 0; ///< film grain: how much diffuse light is taken away at random
+  /// A thin film: how much it shows, its thickness in micrometres, and how much that varies.
+  double irid = 0, irid_thickness = 0, irid_turbulence = 0;
 };
+
+/// What tilts the normals of a surface.
+struct Normal {
+  Span span;
+  std::shared_ptr<texture::PatternInstance const> pattern;
+  double amount = 0.5;        ///< bump_size
+  double accuracy = 0.02;     ///< how far apart the pattern is looked at for its slope
+  bool no_bump_scale = false; ///< bumps of a larger pattern are not higher
+  /// A slope_map: heights and slopes along the pattern's value.
+  struct Slope {
+    double value = 0, height = 0, slope = 0;
+  };
+  std::vector<Slope> slopes;
+  /// A normal_map, or a list's items.
+  struct Entry {
+    double value = 0;
+    std::shared_ptr<Normal const> normal;
+  };
+  std::vector<Entry> entries;
+};
+
+struct TextureMap;
 
 /// One layer of a texture.
 struct Texture {
   Span span;
   Pigment pigment;
   Shared<Finish> finish;
+  std::shared_ptr<Normal const> normal; ///< null as a rule
+  /// Of a patterned texture, in place of pigment, finish and normal; null as a rule.
+  std::shared_ptr<TextureMap const> map;
+  bool uv = false; ///< it is asked for at <u, v, 0> of the surface instead of the point
   /// Texture space -> the space that its object stands in (Object's parent; the world in a Scene).
   geometry::RarePlacement placement;
 };
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;
+/// Textures that a pattern chooses.
+struct TextureMap {
+  std::shared_ptr<texture::PatternInstance const> pattern;
+  struct Entry {
+    double value = 0;
+    Layers layers;
+  };
+  std::vector<Entry> entries;
+};
 /// Layers that objects may share, or none.
 using SharedLayers = Shared<Layers>;
 
@@ -128,6 +166,7 @@ struct Object {
   Few<Layers> face_textures;
   std::shared_ptr<Interior const> interior;
   bool inverse = false;
+  bool uv_mapping = false; ///< of all its textures
   std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
   Few<Object> bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
 };
@@ -190,6 +229,7 @@ struct Settings {
   /// One given: POV-Ray's meaning, and its default (1/255, 5) of the other.
   std::optional<double> adc_bailout;
   std::optional<int> max_trace_level;
+  Vec3 irid_wavelength{0.7, 0.52, 0.48}; ///< that thin films show in r, g and b, in micrometres
   Colour ambient_light{Vec3(1), 0, 0, nullptr};
   /// nullopt: not given (then 1 for version >= 3.7, no encoding at all below).
   std::optional<double> assumed_gamma;

@@ -25,10 +25,19 @@ void plain_pigment(Textures const& textures, CompiledPigment const& pigment,
   for (int k = 0; k < (Lanes > 0 ? Lanes : lanes); ++k) out.colour[k] = colour[channel[k]];
 }
 
-/// @param point in texture space
+/// Where a pigment is asked for.
+struct PigmentSpot {
+  Vec3 point;                            ///< in texture space
+  texture::Sight const* sight = nullptr; ///< null: not on a surface
+};
+/// @param point in the space of the layer @param sight outlives what is returned
+inline PigmentSpot spot_of(Textures const& textures, CompiledLayer const& layer, Vec3 const& point,
+                           texture::Sight const& sight) {
+  return {textures.to_texture(layer, layer.uv ? Vec3(sight.uv, 0.0) : point), &sight};
+}
 /// @tparam Lanes of the ray: 1, 3, or 0 for any number
 template <int Lanes>
-void evaluate_pigment(Textures const& textures, int pigment, Vec3 const& point,
+void evaluate_pigment(Textures const& textures, int pigment, PigmentSpot const& spot,
                       std::uint16_t const* channel, int lanes, PigmentValue& out, Arena& arena);
 
 /// How much of the surface is not see-through: scales diffuse and ambient light (POV-Ray's rule,

@@ -31,7 +31,8 @@ std::uint32_t Surfaces::kind_of(scene::Object const& object) {
 void Surfaces::add(SurfaceLayers surface, scene::Object const& object) {
   places_.push_back({object.span.begin, object.span.end, kind_of(object)});
   bool const plain = surface.layers.size() < 2 && surface.interior_layers.empty()
-                     && surface.face_layers.empty() && !surface.double_illuminate;
+                     && surface.face_layers.empty() && !surface.double_illuminate
+                     && !surface.mapped;
   if (plain && !surface.layers.empty()) {
     number_.push_back(surface.layers.front());
     return;

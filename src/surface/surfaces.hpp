@@ -17,6 +17,7 @@ struct Surface {
   std::span<int const> interior_layers; ///< seen from inside, when the scene gives them
   std::span<std::vector<int> const> face_layers;
   bool double_illuminate = false;
+  bool mapped = false; ///< some texture is chosen by a pattern
   /// Nothing but the change of media: clear glass.
   bool bare() const { return layers.empty() && interior_layers.empty() && face_layers.empty(); }
 };
@@ -26,6 +27,7 @@ struct SurfaceLayers {
   std::vector<int> layers, interior_layers;
   std::vector<std::vector<int>> face_layers;
   bool double_illuminate = false;
+  bool mapped = false;
 };
 
 /// The surfaces of all primitives. Of those with one layer and nothing else, which is most, only
@@ -34,9 +36,9 @@ class Surfaces {
 public:
   Surface operator[](geometry::PrimitiveId primitive) const {
     int const& number = number_[primitive];
-    if (number >= 0) return {{&number, 1}, {}, {}, false};
+    if (number >= 0) return {{&number, 1}, {}, {}, false, false};
     SurfaceLayers const& own = others_[static_cast<std::size_t>(~number)];
-    return {own.layers, own.interior_layers, own.face_layers, own.double_illuminate};
+    return {own.layers, own.interior_layers, own.face_layers, own.double_illuminate, own.mapped};
   }
   /// Is it one layer, and nothing else?
   bool single_layer(geometry::PrimitiveId primitive) const { return number_[primitive] >= 0; }

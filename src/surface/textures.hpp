@@ -24,6 +24,14 @@ struct CompiledPattern {
   std::vector<int> entries; ///< numbers of pigments
 };
 
+/// What tilts a normal, with the ways of normals into its pattern's space and back.
+struct CompiledNormal {
+  std::shared_ptr<scene::Normal const> source;
+  Mat3 in{1}, out{1};
+  std::vector<double> values; ///< of a map or list
+  std::vector<int> entries;   ///< numbers of normals
+};
+
 /// A million objects may each have their own: small, and without anything of its own to hold.
 struct CompiledPigment {
   double filter = 0, transmit = 0; ///< of a plain one
@@ -50,6 +58,10 @@ struct CompiledFinish {
   double metallic = 0;
   std::optional<CompiledReflection> reflection;
   bool conserve_energy = false;
+  bool tilts = false; ///< layers with this finish have normals of their own
+  double crand = 0;
+  double irid = 0, irid_thickness = 0, irid_turbulence = 0;
+  Channels irid_wavelength; ///< in micrometres
 };
 
 /// World (relative to the camera) -> texture space.
@@ -58,15 +70,28 @@ struct TextureSpace {
   Vec3 offset{0};
 };
 
+/// A patterned texture.
+struct CompiledTextureMap {
+  std::shared_ptr<texture::PatternInstance const> pattern;
+  Mat3 linear{1}; ///< of the way into the pattern's space
+  std::vector<double> values;
+  std::vector<std::vector<int>> entries; ///< numbers of layers
+};
+
 struct CompiledLayer {
   int pigment = 0;
   int finish = 0; ///< in Stage::finishes
   int space = 0;  ///< in Stage::texture_spaces; used by patterns only
+  int normal = -1; ///< in Textures::normals; -1: the surface's own
+  int map = -1;    ///< in Textures::maps, in place of all else; -1: none
+  bool uv = false; ///< asked for at <u, v, 0> of the surface
 };
 
 /// Flat arrays, in which one thing names another by its number.
 struct Textures {
   int channels = 3;
+  bool sees = false;            ///< some pattern looks at normals
+  bool uses_uv = false;         ///< some texture is asked for at surface coordinates
   double opacity_version = 3.7; ///< < 3.7: POV-Ray's older rule of opacity
   Surfaces surfaces;            ///< by PrimitiveId
   std::vector<CompiledLayer> layers;
@@ -74,6 +99,12 @@ struct Textures {
   std::vector<TextureSpace> texture_spaces{{}}; ///< [0]: the world's
   std::vector<CompiledPigment> pigments;
   std::vector<CompiledPattern> patterns;
+  std::vector<CompiledNormal> normals;
+  std::vector<CompiledTextureMap> maps;
+  /// Reflectances, channel by channel, of colours on a grid of r, g and b from 0 to 1, so many a
+  /// side; for patterns that have colours of their own, where channels are not r, g and b.
+  std::vector<double> colour_grid;
+  int colour_grid_side = 0;
   std::vector<double> colours; ///< reflectances of plain pigments, channel by channel
 
   /// Channel by channel, that of a plain pigment.

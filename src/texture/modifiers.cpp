@@ -44,15 +44,22 @@ bool read_wave(Parameters& in, PatternModifiers& modifiers) {
 
 } // namespace
 
-bool read_modifier(Parameters& in, PatternModifiers& modifiers) {
-  if (in.accept("turbulence"))
-    record(modifiers).amount = in.vec3("turbulence");
-  else if (in.accept("octaves"))
+bool read_turbulence_item(Parameters& in, PatternModifiers& modifiers) {
+  if (in.accept("octaves"))
     record(modifiers).octaves = read_octaves(in);
   else if (in.accept("omega"))
     record(modifiers).omega = in.number("omega");
   else if (in.accept("lambda"))
     record(modifiers).lambda = in.number("lambda");
+  else
+    return false;
+  return true;
+}
+
+bool read_modifier(Parameters& in, PatternModifiers& modifiers) {
+  if (read_turbulence_item(in, modifiers)) return true;
+  if (in.accept("turbulence"))
+    record(modifiers).amount = in.vec3("turbulence");
   else if (in.accept("frequency"))
     modifiers.frequency = in.number("frequency");
   else if (in.accept("phase"))

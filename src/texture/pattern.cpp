@@ -38,15 +38,17 @@ std::span<Pattern::DefaultEntry const> Pattern::default_map() const {
   return black_to_white;
 }
 
-double PatternInstance::evaluate(Vec3 const& point) const {
-  Vec3 p = point;
+Vec3 PatternInstance::place(Vec3 const& point, Sight const* sight) const {
+  Vec3 p = uv && sight != nullptr ? Vec3(sight->uv, 0.0) : point;
   for (auto step = mappings.rbegin(); step != mappings.rend(); ++step)
-    p = step->linear * p + step->offset;
-  if (modifiers.turbulence && !pattern->uses_turbulence_itself()) {
-    Turbulence const& t = *modifiers.turbulence;
-    if (t.amount != Vec3(0)) p += t.amount * vector_turbulence(p, t);
-  }
-  double r = pattern->raw(p, modifiers);
+    p = step->warp ? step->warp->apply(p) : step->linear * p + step->offset;
+  if (!modifiers.turbulence || pattern->uses_turbulence_itself()) return p;
+  Turbulence const& t = *modifiers.turbulence;
+  return t.amount == Vec3(0) ? p : p + t.amount * vector_turbulence(p, t);
+}
+
+double PatternInstance::value(Vec3 const& placed, Sight const* sight) const {
+  double r = pattern->raw_on(placed, modifiers, sight);
   double const frequency = modifiers.frequency.value_or(pattern->default_frequency());
   // 1.00001 and not 1: POV-Ray's choice, which lets exactly 1 stay 1.
   if (frequency != 0) r = std::fmod(r * frequency + modifiers.phase, 1.00001);

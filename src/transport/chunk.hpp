@@ -43,6 +43,11 @@ struct Chunk : ChunkLight {
   Vectors point, point_error;
   Vectors normal;    ///< unit shading normal on the side the ray comes from
   Vectors geometric; ///< the true one, same side
+  /// Some normal is tilted by the layer on top of the surface (tilt.hpp). Then: that layer's
+  /// number, or -1 where it is not; and the normals of the surfaces themselves.
+  bool tilts = false;
+  std::int32_t tilted[chunk_width];
+  Vectors untilted;
   /// Several surfaces that coincide; null: each ray met a surface of its own, `hit`.
   geometry::HitGroup const* group = nullptr;
   geometry::RayHit hit[chunk_width];                    ///< the surface shown

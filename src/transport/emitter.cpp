@@ -131,19 +131,19 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
   });
   counts.*rays.counted += counted;
   if (count == 0) return;
-  Rays& to = queue({like.kind, rays.mirrored ? reflection_bit : chunk.mask, rays.mirrored});
+  Rays& to = queue({like.kind, rays.mirrored != 0 ? reflection_bit : chunk.mask, rays.mirrored});
   std::size_t const first = to.add(count);
   Runs const runs(going, count);
   runs.take_vectors(chunk.point, to.origin, first);
   runs.take_vectors(chunk.point_error, to.origin_error, first);
   runs.take_vectors(rays.way, to.direction, first);
-  runs.take(rays.mirrored ? chunk.before : chunk.after, to.stack.data() + first);
+  runs.take(rays.mirrored != 0 ? chunk.before : chunk.after, to.stack.data() + first);
   runs.take(rays.slot, to.slot.data() + first);
   runs.take(like.tooth, to.tooth.data() + first);
   runs.take(rays.light, to.light_of(first), n);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t const r = going[i], k = first + i;
-    to.start[k] = chunk.start_of(r, !rays.mirrored);
+    to.start[k] = chunk.start_of(r, rays.mirrored == 0);
     to.channel[k] = like.channels[r * n];
     to.level[k] = static_cast<std::uint16_t>(chunk.level[r] + (rays.deeper >> r & 1));
   }
@@ -176,12 +176,12 @@ void Emitter::send(Chunk const& chunk, Departing const& rays) {
       cut(rays.slot[i], light, n);
   }
   if (count == 0) return;
-  Rays& to = queue({rays.kind, rays.mirrored ? reflection_bit : chunk.mask, rays.mirrored});
+  Rays& to = queue({rays.kind, rays.mirrored != 0 ? reflection_bit : chunk.mask, rays.mirrored});
   std::size_t const first = to.add(count);
   auto const each = [&](auto const& work) {
     for (std::size_t i = 0; i < count; ++i) work(first + i, going[i]);
   };
-  set_starts(chunk, to, first, count, !rays.mirrored,
+  set_starts(chunk, to, first, count, rays.mirrored == 0,
              [&](std::size_t i) { return rays.ray[going[i]]; });
   each([&](std::size_t k, std::uint32_t i) {
     to.direction.x[k] = rays.x[i];

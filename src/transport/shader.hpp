@@ -5,8 +5,18 @@
 #include "surface/pigment.hpp"
 #include "transport/chunk.hpp"
 #include "transport/shade_lanes.hpp"
+#include "transport/tilt.hpp"
 
 namespace abbe::transport {
+
+/// What layers mirror whose normals are not the chunk's.
+struct OwnMirror {
+  std::uint32_t number; ///< QueueKey::mirrored: of the layer's place, the same for every ray
+  RaySet rays = 0;
+  double* light; ///< a value a lane, to be added as it is
+  Vectors way;   ///< directions
+  Values exponent;
+};
 
 /// What the textures that rays met let through, mirror, and send to the rays by themselves. Arrays
 /// have a value a lane.
@@ -16,6 +26,7 @@ struct SurfaceLight {
   RaySet mirrors = 0;
   RaySet explicit_reflection = 0; ///< a `reflection` item was given: Fresnel does not come unasked
   Values exponent;                ///< of `reflection`; of rays in `mirrors`
+  std::vector<OwnMirror*> own_mirrors; ///< empty as a rule
   double* own = nullptr;          ///< light that the surface adds, throughput included; null: none
   double** of_lamp = nullptr;     ///< by lamp: what it adds but for shadows; null: nothing
   RaySet* lit = nullptr;          ///< by lamp: the rays whose surface it lights
@@ -70,6 +81,18 @@ private:
     bool double_illuminate = false;
     /// Of several surfaces that coincide, the one that reflects by Fresnel.
     bool carries = true;
+    std::uint32_t place = 0; ///< of layers: of the crossing and the texture on it
+    geometry::SurfaceCrossing const* crossing = nullptr;
+    surface::SeenLayers::Part const* const* parts = nullptr; ///< a ray; null: the whole surface
+    LayerSpot spot(std::size_t r) const {
+      return {parts != nullptr ? parts[r] : nullptr, crossing};
+    }
+  };
+  /// Normals and what comes of them, of the layer that is shaded: the chunk's, or its own.
+  struct Facing {
+    Vectors const* normal;
+    Values const* cos_i;
+    LayerFace const* own; ///< null: the chunk's
   };
 
   /// Constant where it can be: the loops over lanes are most of the work.
@@ -120,29 +143,38 @@ private:
   }
 
   void shade_single(RaySet rays, SurfaceLight& out);
-  void shade_crossing(geometry::SurfaceCrossing const& crossing, bool carries, RaySet rays,
-                      SurfaceLight& out);
+  void shade_crossing(geometry::SurfaceCrossing const& crossing, bool carries, std::uint32_t place,
+                      RaySet rays, SurfaceLight& out);
   /// Where rays see layers of their own: textures of faces, of the inside of open shapes.
   void shade_seen(RaySet rays, Side const& side, SurfaceLight& out,
                   surface::SeenLayers const* seen);
   void shade_layers(std::span<int const> layers, Side const& side, RaySet rays, SurfaceLight& out);
   void shade_layer(Layer const& layer, Side const& side, RaySet rays, SurfaceLight& out);
-  void pigments_at(Layer const& layer, RaySet rays, Pigments& out);
+  /// Fresnel's reflectance at another angle than the chunk's.
+  double fresnel_of(std::size_t r, double cos_i) const;
+  Facing facing(Layer const& layer, Side const& side, RaySet rays);
+  void pigments_at(Layer const& layer, Side const& side, RaySet rays, Pigments& out);
   /// The same where all rays see one that is without a pattern. @return false: they do not
   bool same_pigment(Layer const& layer, RaySet rays, Pigments& out);
   void add_glow(surface::CompiledFinish const& finish, Pigments const& pigment, RaySet rays,
                 SurfaceLight& out);
   void reflectivity(surface::CompiledReflection const& reflection, double const* pigment,
-                    bool carries, RaySet rays, double* out);
+                    Facing const& facing, bool carries, RaySet rays, double* out);
   void add_mirror(surface::CompiledReflection const& reflection, double const* mirror, bool carries,
                   RaySet rays, SurfaceLight& out);
+  /// The same of a layer whose normals are its own.
+  void add_own_mirror(surface::CompiledReflection const& reflection, double const* mirror,
+                      Side const& side, LayerFace const& face, RaySet rays, SurfaceLight& out);
 
   // shader_lamps.cpp
   void add_lamp(std::size_t lamp, surface::CompiledFinish const& finish, Pigments const& pigment,
-                bool double_illuminate, RaySet rays, SurfaceLight& out);
+                Facing const& facing, bool double_illuminate, RaySet rays, SurfaceLight& out);
+  /// What a thin film on the surface makes of a lamp's light. @param light a value a lane
+  void add_film(surface::CompiledFinish const& finish, Aim const& aim, Facing const& facing,
+                RaySet rays, double* light);
   /// The rays whose surface it lights, but for shadows.
-  RaySet light_up(Lamp const& lamp, Aim const& aim, surface::CompiledFinish const& finish,
-                  Pigments const& pigment, bool double_illuminate, RaySet rays, Lit& out);
+  RaySet light_up(Lamp const& lamp, Aim const& aim, Vectors const& normal,
+                  surface::CompiledFinish const& finish, Pigments const& pigment, bool double_illuminate, RaySet rays, Lit& out);
   void find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
                        bool double_illuminate, RaySet rays, Lit& out);
 

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "simd/math.hpp"
 #include "transport/shader.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numbers>
 
 /// What lamps add to a surface.
 namespace abbe::transport {
+
+namespace {
+
+/// Random, the same for the same point: 0 .. 1.
+double grain_at(Vec3 const& point) {
+  RandomKey key;
+  for (int axis = 0; axis < 3; ++axis) key = key.child(std::bit_cast<std::uint64_t>(point[axis]));
+  return key.uniform(0);
+}
+
+} // namespace
 
 template <int Lanes>
 void Shader<Lanes>::find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
@@ -29,15 +44,15 @@ void Shader<Lanes>::find_highlights(surface::CompiledFinish const& finish, Aim c
 }
 
 template <int Lanes>
-RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim,
+RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim, Vectors const& normal,
                                surface::CompiledFinish const& finish, Pigments const& pigment,
                                bool double_illuminate, RaySet rays, Lit& out) {
   rays &= aim.comes;
   out.weakens = lamp.strengths(aim, rays, chunk_.count, out.strength.value);
   bool const shines = !lamp.shadowless() && (finish.phong != 0 || finish.specular != 0);
   double const behind = double_illuminate ? finish.diffuse : finish.diffuse_back;
-  light_surfaces({&aim, &chunk_.direction, &chunk_.normal, pigment.opaque.value, finish.diffuse,
-                  behind, shines && finish.phong != 0, shines && finish.specular != 0},
+  light_surfaces({&aim, &chunk_.direction, &normal, pigment.opaque.value, finish.diffuse, behind,
+                  shines && finish.phong != 0, shines && finish.specular != 0},
                  chunk_.count, out.surface);
   Values& diffuse = out.surface.diffuse;
   if (finish.brilliance != 1)
@@ -46,6 +61,12 @@ RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim,
       if (diffuse[r] != 0)
         diffuse[r] = pigment.opaque[r] * (cosine > 0 ? finish.diffuse : behind)
                      * simd::pow(std::abs(cosine), finish.brilliance);
+    });
+  if (finish.crand != 0)
+    each_of(rays, [&](std::size_t r) {
+      if (diffuse[r] == 0) return;
+      double const grain = finish.crand * grain_at(chunk_.point.get(r));
+      diffuse[r] = std::max(0.0, diffuse[r] - pigment.opaque[r] * grain);
     });
   out.shines = shines;
   find_highlights(finish, aim, double_illuminate, rays, out);
@@ -58,14 +79,36 @@ RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim,
 }
 
 template <int Lanes>
+void Shader<Lanes>::add_film(surface::CompiledFinish const& finish, Aim const& aim,
+                             Facing const& facing, RaySet rays, double* light) {
+  each_of(rays, [&](std::size_t r) {
+    double thickness = finish.irid_thickness;
+    if (finish.irid_turbulence != 0) {
+      texture::Turbulence const eddies{Vec3(0), 5, 0.5, 2};
+      double const t = texture::turbulence(chunk_.point.get(r) + stage_.eye, eddies);
+      thickness *= 1 + finish.irid_turbulence * (2 * t - 1);
+    }
+    double const way =
+        2 * std::numbers::pi * thickness * (std::abs(aim.cosine[r]) + std::abs((*facing.cos_i)[r]));
+    for (std::size_t k = r * each(); k < (r + 1) * each(); ++k)
+      light[k] *= 1 + finish.irid * simd::cos(way / finish.irid_wavelength[chunk_.channels[k]]);
+  });
+}
+
+template <int Lanes>
 void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& finish,
-                             Pigments const& pigment, bool double_illuminate, RaySet rays,
-                             SurfaceLight& out) {
+                             Pigments const& pigment, Facing const& facing, bool double_illuminate,
+                             RaySet rays, SurfaceLight& out) {
   Lamp const& lamp = *stage_.lamps[number];
-  Aim& aim = aims_[number];
-  if (out.lit[number] == 0) lamp.aim(chunk_.point, chunk_.normal, chunk_.count, aim);
+  if (out.lit[number] == 0) lamp.aim(chunk_.point, chunk_.normal, chunk_.count, aims_[number]);
+  Aim* of_layer = nullptr;
+  if (facing.own != nullptr) {
+    of_layer = arena_.take<Aim>(1);
+    lamp.aim(chunk_.point, *facing.normal, chunk_.count, *of_layer);
+  }
+  Aim const& aim = of_layer != nullptr ? *of_layer : aims_[number];
   Lit lit;
-  rays = light_up(lamp, aim, finish, pigment, double_illuminate, rays, lit);
+  rays = light_up(lamp, aim, *facing.normal, finish, pigment, double_illuminate, rays, lit);
   if (rays == 0) return;
   Values tint;
   if (finish.metallic != 0)
@@ -78,6 +121,7 @@ void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& 
               lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
               lit.shines ? lit.shine.value : nullptr, finish.metallic != 0 ? tint.value : nullptr},
              added);
+  if (finish.irid != 0) add_film(finish, aim, facing, rays, added);
   // Light without shadows is the surface's own.
   double*& to = lamp.shadowless() ? out.own : out.of_lamp[number];
   if (to == nullptr) to = take_lanes(0.0);

@@ -106,9 +106,18 @@ private:
   /// The same of clear surfaces that do not split light.
   void find_bare_shares(Face const& face, Shares& shares);
   void mirror(Face const& face, SurfaceLight const* surface, Shares const& shares);
-  void mirror_bent(Face const& face, SurfaceLight const& surface, Shares const& shares,
-                   RaySet rays);
-  void capture(ChunkLight const& light, std::size_t r, double exponent);
+  /// Light that comes back in one direction a ray.
+  struct Mirrored {
+    std::uint32_t number;  ///< QueueKey::mirrored
+    double* light;         ///< a lane
+    RaySet rays, bent = 0; ///< `bent`: those of them whose light is raised to a power
+    Vectors const* way;
+    Values const* exponent = nullptr; ///< of those in `bent`
+  };
+  void send_back(Face const& face, Mirrored const& mirrored);
+  void mirror_bent(Face const& face, Mirrored const& mirrored);
+  /// @param light of the chunk's rays, as it is parted
+  void capture(ChunkLight const& light, std::size_t r, Mirrored const& mirrored);
   void go_on(Face const& face, Shares const& shares);
   void share(Face const& face);
   void meet_comb(Face const& face);

@@ -3,6 +3,7 @@
 #include "transport/tracer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 /// What happens where rays meet a surface: Fresnel and Snell, textures, then the mirrored and the
 /// onward rays, split by wavelength where the material disperses.
@@ -242,23 +243,45 @@ void Tracer::mirror(Face const& face, SurfaceLight const* surface, Shares const&
       powers = (c.total >> r & 1) == 0;
     bent |= RaySet{powers} << r;
   });
-  rays &= ~bent;
-  if (bent != 0) mirror_bent(face, *surface, shares, bent);
-  if (rays == 0) return;
-  auto const send = [&](ChunkLight const& light, double const* values) {
-    emitter_.send(
-        c, Onward{light, light.slot, values, c.mirrored, rays, rays, true, &RayCounts::reflected});
-  };
-  if (face.splits && face.doubles && c.kind.comb == no_comb) {
-    ChunkLight const doubled = comb_light_.doubled(c, shares.back, face.comb);
-    return send(doubled, doubled.light);
+  if (rays != 0)
+    send_back(face, {1, shares.back, rays, bent, &c.mirrored,
+                     surface != nullptr ? &surface->exponent : nullptr});
+  if (surface == nullptr) return;
+  for (OwnMirror const* const own : surface->own_mirrors) {
+    auto* const light = arena_.take<double>(c.lanes() + 8);
+    Mirrored mirrored{own->number, light, 0, 0, &own->way, &own->exponent};
+    each_of(own->rays, [&](std::size_t r) {
+      bool any = false;
+      for (std::size_t k = r * c.each; k < (r + 1) * c.each; ++k) {
+        light[k] = c.light[k] * own->light[k];
+        any = any || light[k] != 0;
+      }
+      mirrored.rays |= RaySet{any} << r;
+      mirrored.bent |= RaySet{any && own->exponent[r] != 1} << r;
+    });
+    if (mirrored.rays != 0) send_back(face, mirrored);
   }
-  send(c, shares.back);
 }
 
-void Tracer::mirror_bent(Face const& face, SurfaceLight const& surface, Shares const& shares,
-                         RaySet rays) {
+void Tracer::send_back(Face const& face, Mirrored const& mirrored) {
   Chunk const& c = chunk_;
+  if (mirrored.bent != 0) mirror_bent(face, mirrored);
+  RaySet const rays = mirrored.rays & ~mirrored.bent;
+  if (rays == 0) return;
+  auto const send = [&](ChunkLight const& light, double const* values) {
+    emitter_.send(c, Onward{light, light.slot, values, *mirrored.way, rays, rays, mirrored.number,
+                            &RayCounts::reflected});
+  };
+  if (face.splits && face.doubles && c.kind.comb == no_comb) {
+    ChunkLight const doubled = comb_light_.doubled(c, mirrored.light, face.comb);
+    return send(doubled, doubled.light);
+  }
+  send(c, mirrored.light);
+}
+
+void Tracer::mirror_bent(Face const& face, Mirrored const& mirrored) {
+  Chunk const& c = chunk_;
+  double* const back = mirrored.light;
   LightKind const& kind = c.kind;
   // Light of combs that is met later would stand apart from the rest, and powers want the whole: it
   // is parted here, as by stochastic material.
@@ -268,37 +291,38 @@ void Tracer::mirror_bent(Face const& face, SurfaceLight const& surface, Shares c
   int const comb = doubled ? face.comb : 0;
   Arena::Scope const scope(arena_);
   ChunkLight const arrived = c;
-  chunk_.light = shares.back;
+  chunk_.light = back;
   ChunkLight parts[2] = {c, c};
   std::size_t count = 1;
   if (doubled || (meets && stage_.comb(0).follow == optics::Comb::Follow::Doubled)) {
-    parts[0] = comb_light_.doubled(c, shares.back, comb);
+    parts[0] = comb_light_.doubled(c, back, comb);
   } else if (meets) {
     parts[0] = comb_light_.teeth(c, 0);
   }
   if (meets && !doubled) parts[count++] = comb_light_.control(c, 0);
-  each_of(rays, [&](std::size_t r) {
-    if (!any_above(shares.back + r * arrived.each, arrived.each, stage_.adc_bailout))
-      return emitter_.cut(arrived.slot[r], shares.back + r * arrived.each, arrived.each);
-    for (std::size_t i = 0; i < count; ++i) capture(parts[i], r, surface.exponent[r]);
+  each_of(mirrored.bent, [&](std::size_t r) {
+    if (!any_above(back + r * arrived.each, arrived.each, stage_.adc_bailout))
+      return emitter_.cut(arrived.slot[r], back + r * arrived.each, arrived.each);
+    for (std::size_t i = 0; i < count; ++i) capture(parts[i], r, mirrored);
   });
   static_cast<ChunkLight&>(chunk_) = arrived;
 }
 
-void Tracer::capture(ChunkLight const& light, std::size_t r, double exponent) {
+void Tracer::capture(ChunkLight const& light, std::size_t r, Mirrored const& mirrored) {
   Chunk const& c = chunk_;
   std::size_t const n = light.each;
   std::uint16_t* const channels = light.channels + r * n;
-  std::uint32_t const slot = captures_.add(light.kind, light.slot[r], channels, light.light + r * n,
-                                           exponent, paths_.records() ? c.path[r] : Paths::none);
+  std::uint32_t const slot =
+      captures_.add(light.kind, light.slot[r], channels, light.light + r * n,
+                    (*mirrored.exponent)[r], paths_.records() ? c.path[r] : Paths::none);
   Departing out = emitter_.room(light.kind, 1);
-  out.mirrored = true;
+  out.mirrored = mirrored.number;
   out.counted = &RayCounts::reflected;
   out.count = 1;
   out.ray[0] = static_cast<std::uint32_t>(r);
-  out.x[0] = c.mirrored.x[r];
-  out.y[0] = c.mirrored.y[r];
-  out.z[0] = c.mirrored.z[r];
+  out.x[0] = mirrored.way->x[r];
+  out.y[0] = mirrored.way->y[r];
+  out.z[0] = mirrored.way->z[r];
   out.level[0] = static_cast<std::uint16_t>(c.level[r] + 1);
   out.slot[0] = slot;
   out.channel[0] = channels[0];
@@ -379,15 +403,15 @@ void Tracer::meet_comb(Face const& face) {
   if (!bare && surface.explicit_reflection != 0) { // it may mirror by its Fresnel reflectance
     surface = shade_chunk(face, own, false);
   } else if (!bare && !face.doubles) {
-    double const *const passed = surface.passed, *const mirrored = surface.mirrored;
-    surface.passed = arena_.take<double>(c.lanes());
-    surface.mirrored = arena_.take<double>(c.lanes());
-    for (std::size_t r = 0, k = 0; r < c.count; ++r)
-      for (std::size_t i = 0; i < c.each; ++i, ++k) {
-        std::size_t const from = r * arrived.each + c.channels[k];
-        surface.passed[k] = passed[from];
-        surface.mirrored[k] = mirrored[from];
-      }
+    auto const spread = [&](double*& lanes) {
+      double const* const channels = std::exchange(lanes, arena_.take<double>(c.lanes() + 8));
+      for (std::size_t r = 0, k = 0; r < c.count; ++r)
+        for (std::size_t i = 0; i < c.each; ++i, ++k)
+          lanes[k] = channels[r * arrived.each + c.channels[k]];
+    };
+    spread(surface.passed);
+    spread(surface.mirrored);
+    for (OwnMirror* const layer : surface.own_mirrors) spread(layer->light);
   }
   find_shares(face, bare ? nullptr : &surface, own);
   mirror(face, bare ? nullptr : &surface, own);

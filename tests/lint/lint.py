@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     'texture': {'base', 'simd'},
     'image': {'base'},
     'scene': {'base', 'simd', 'optics', 'geometry', 'texture'},
-    'lang': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'grammar'},
+    'lang': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'grammar', 'image'},
     'plan': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'image'},
     'surface': {'base', 'simd', 'geometry', 'texture', 'scene'},
     'transport': {'base', 'simd', 'optics', 'geometry', 'texture', 'scene', 'surface'},

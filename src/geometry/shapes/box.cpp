@@ -17,6 +17,26 @@ Vec3 Box::normal(Vec3 const&, std::uint32_t face) const {
   return result;
 }
 
+/// The net of a box: four faces side by side, one above and one below.
+std::optional<Vec2> Box::uv(Vec3 const& point, std::uint32_t face) const {
+  constexpr double third = 1.0 / 3;
+  Vec3 const q = (point + 1.0) / 2.0;
+  switch (face) {
+  case 0:
+    return Vec2(q.z / 4, third + q.y / 3);
+  case 1:
+    return Vec2(0.75 - q.z / 4, third + q.y / 3);
+  case 2:
+    return Vec2(0.25 + q.x / 4, q.z / 3);
+  case 3:
+    return Vec2(0.25 + q.x / 4, 1 - q.z / 3);
+  case 4:
+    return Vec2(1 - q.x / 4, third + q.y / 3);
+  default:
+    return Vec2(0.25 + q.x / 4, third + q.y / 3);
+  }
+}
+
 Bounds Box::bounds() const {
   return {Vec3(-1), Vec3(1)};
 }

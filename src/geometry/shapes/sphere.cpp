@@ -2,6 +2,10 @@
 #include "geometry/shapes/sphere.hpp"
 
 #include "geometry/shapes/reading.hpp"
+#include "simd/math.hpp"
+
+#include <algorithm>
+#include <numbers>
 
 namespace abbe::geometry {
 
@@ -11,6 +15,14 @@ bool Sphere::inside(Vec3 const& point) const {
 Vec3 Sphere::normal(Vec3 const& point, std::uint32_t) const {
   return glm::normalize(point);
 }
+/// Round the y axis from +x towards +z, and from pole to pole.
+std::optional<Vec2> Sphere::uv(Vec3 const& point, std::uint32_t) const {
+  constexpr double pi = std::numbers::pi;
+  double const turn = simd::atan2(point.z, point.x) / (2 * pi);
+  double const height = point.y / glm::length(point);
+  return Vec2(turn < 0 ? turn + 1 : turn, 0.5 + simd::asin(std::clamp(height, -1.0, 1.0)) / pi);
+}
+
 Bounds Sphere::bounds() const {
   return {Vec3(-1), Vec3(1)};
 }

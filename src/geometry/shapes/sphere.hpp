@@ -34,6 +34,7 @@ public:
     out.smoothed = normalized(points);
   }
   Bounds bounds() const override;
+  std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;
   double ball_radius() const override { return 1; }
 };
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace abbe::geometry {
@@ -151,6 +152,14 @@ Vec3 Torus::normal(Vec3 const& point, std::uint32_t) const {
   double const part = rho == 0 ? 0 : (rho - major_) / rho;
   Vec3 const out(point.x * part, point.y, point.z * part);
   return out == Vec3(0) ? Vec3(0, 1, 0) : unit_vector(out);
+}
+
+/// Round the y axis, and round the tube.
+std::optional<Vec2> Torus::uv(Vec3 const& point, std::uint32_t) const {
+  constexpr double pi = std::numbers::pi;
+  double const beyond = simd::hypot(point.x, point.z) - major_;
+  return Vec2(1 - (simd::atan2(point.z, point.x) + pi) / (2 * pi),
+              (simd::atan2(point.y, beyond) + pi) / (2 * pi));
 }
 
 Bounds Torus::bounds() const {

@@ -33,6 +33,7 @@ public:
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   Bounds bounds() const override;
+  std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;
   double ball_radius() const override { return major_ + minor_; }
 
 private:

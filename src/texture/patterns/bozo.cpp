@@ -14,6 +14,10 @@ double spots(Vec3 const& p, PatternModifiers const& modifiers) {
   return noise(p, modifiers.noise_generator);
 }
 
+void bumps(Vec3 const& p, PatternModifiers const&, double amount, Vec3& normal) {
+  normal += amount * vector_noise(p);
+}
+
 } // namespace
 
 std::shared_ptr<Pattern const> read_bozo(Parameters&) {
@@ -22,6 +26,10 @@ std::shared_ptr<Pattern const> read_bozo(Parameters&) {
 
 std::shared_ptr<Pattern const> read_spotted(Parameters&) {
   return make_formula({.raw = spots});
+}
+
+std::shared_ptr<Pattern const> read_bumps(Parameters&) {
+  return make_formula({.raw = spots, .tilt = bumps});
 }
 
 } // namespace abbe::texture

@@ -11,10 +11,14 @@ double dents(Vec3 const& p, PatternModifiers const& modifiers) {
   return n * n * n;
 }
 
+void tilt(Vec3 const& p, PatternModifiers const& modifiers, double amount, Vec3& normal) {
+  normal += amount * dents(p, modifiers) * vector_noise(p);
+}
+
 } // namespace
 
 std::shared_ptr<Pattern const> read_dents(Parameters&) {
-  return make_formula({.raw = dents});
+  return make_formula({.raw = dents, .tilt = tilt});
 }
 
 } // namespace abbe::texture

@@ -12,6 +12,8 @@ struct Formula {
   Wave default_wave = Wave::Ramp;
   bool uses_turbulence_itself = false;
   std::span<Pattern::DefaultEntry const> map{}; ///< empty: black to white
+  /// Its way of tilting normals; null: by the gradient.
+  void (*tilt)(Vec3 const&, PatternModifiers const&, double amount, Vec3& normal) = nullptr;
 };
 
 /// A pattern that is nothing but a formula of the point (and the modifiers).
@@ -21,6 +23,11 @@ public:
 
   double raw(Vec3 const& point, PatternModifiers const& modifiers) const override {
     return formula_.raw(point, modifiers);
+  }
+  bool tilt(Vec3 const& point, PatternModifiers const& modifiers, double amount,
+            Vec3& normal) const override {
+    if (formula_.tilt != nullptr) formula_.tilt(point, modifiers, amount, normal);
+    return formula_.tilt != nullptr;
   }
   double default_frequency() const override { return formula_.default_frequency; }
   Wave default_wave() const override { return formula_.default_wave; }

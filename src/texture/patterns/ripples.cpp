@@ -58,14 +58,36 @@ double waves(Vec3 const& p, PatternModifiers const& modifiers) {
   return 0.2 * (2.5 + sum / number_of_waves);
 }
 
+/// @param frequency of the pattern times that of the source
+Vec3 slope(Vec3 const& p, WaveSource const& source, double frequency, double phase) {
+  Vec3 const way = p - source.centre;
+  double const distance = glm::length(way);
+  if (distance == 0) return Vec3(0);
+  return simd::sin(2 * std::numbers::pi * (distance * frequency + phase)) / distance * way;
+}
+
+void tilt_by_ripples(Vec3 const& p, PatternModifiers const& modifiers, double amount,
+                     Vec3& normal) {
+  double const frequency = modifiers.frequency.value_or(1);
+  for (WaveSource const& source : wave_sources())
+    normal += amount / number_of_waves * slope(p, source, frequency, modifiers.phase);
+}
+
+void tilt_by_waves(Vec3 const& p, PatternModifiers const& modifiers, double amount, Vec3& normal) {
+  double const frequency = modifiers.frequency.value_or(1);
+  for (WaveSource const& source : wave_sources())
+    normal += amount / number_of_waves / source.frequency
+              * slope(p, source, frequency * source.frequency, modifiers.phase);
+}
+
 } // namespace
 
 std::shared_ptr<Pattern const> read_ripples(Parameters&) {
-  return make_formula({.raw = ripples});
+  return make_formula({.raw = ripples, .tilt = tilt_by_ripples});
 }
 
 std::shared_ptr<Pattern const> read_waves(Parameters&) {
-  return make_formula({.raw = waves});
+  return make_formula({.raw = waves, .tilt = tilt_by_waves});
 }
 
 } // namespace abbe::texture

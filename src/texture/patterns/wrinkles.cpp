@@ -19,10 +19,17 @@ double wrinkles(Vec3 const& p, PatternModifiers const& modifiers) {
   return sum / 2;
 }
 
+void tilt(Vec3 const& p, PatternModifiers const&, double amount, Vec3& normal) {
+  Vec3 sum(0);
+  double scale = 1;
+  for (int k = 0; k < 10; ++k, scale *= 2) sum += glm::abs(vector_noise(p * scale)) / scale;
+  normal += amount * sum;
+}
+
 } // namespace
 
 std::shared_ptr<Pattern const> read_wrinkles(Parameters&) {
-  return make_formula({.raw = wrinkles});
+  return make_formula({.raw = wrinkles, .tilt = tilt});
 }
 
 } // namespace abbe::texture

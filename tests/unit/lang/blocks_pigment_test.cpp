@@ -80,15 +80,14 @@ TEST(Pigment, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("sphere { 0, 1 pigment { checker color_map { [0 rgb 1] } } }"), "E0252");
   EXPECT_EQ(codes("sphere { 0, 1 pigment { bozo color_map { } } }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 pigment { bozo color_map { [1 rgb 1] [0 rgb 1] } } }"), "E0356");
-  EXPECT_EQ(codes("sphere { 0, 1 pigment { image_map { png \"a.png\" once } scale 2 } }"), "E0901");
-  EXPECT_EQ(codes("sphere { 0, 1 pigment { average pigment_map { [bozo] [1 wood] } } }"), "E0901");
-  EXPECT_EQ(
-      codes("sphere { 0, 1 pigment { function { x*y } color_map { [0 rgb 1] } turbulence 1 } }"),
-      "E0901");
-  EXPECT_EQ(codes("sphere { 0, 1 texture { checker texture { T1 } texture { T2 } scale 2 } }"),
-            "E0901");
-  EXPECT_EQ(codes("sphere { 0, 1 texture { bozo texture_map { [0 T1] [1 T2] } } }"), "E0901");
-  EXPECT_EQ(codes("sphere { 0, 1 pigment { rgb 1 } normal { bumps 0.5 scale 0.1 } }"), "E0901");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { image_map { png \"a.png\" once } scale 2 } }"), "E0501");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { wood pigment_map { [bozo] [1 wood] } } }"), "E0301");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { function(a) { a } color_map { [0 rgb 1] } } }"),
+            "E0622");
+  EXPECT_EQ(codes("sphere { 0, 1 texture { checker texture { } texture { T2 } scale 2 } }"),
+            "E0202");
+  EXPECT_EQ(codes("sphere { 0, 1 texture { bozo scale 2 } }"), "E0250");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { rgb 1 } normal { facets 0.5 } }"), "E0901");
 }
 
 } // namespace

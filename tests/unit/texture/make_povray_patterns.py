@@ -42,6 +42,7 @@ crackle offset .375
 crackle solid
 crackle solid noise_generator 1
 crackle turbulence .4
+cubic
 cylindrical
 dents
 dents noise_generator 3
@@ -61,8 +62,22 @@ granite
 granite noise_generator 1
 granite noise_generator 3
 granite turbulence .2
+hexagon
+julia <.3125,.5>, 30
+julia <.3125,.5>, 30 exponent 4 exterior 6, .125
+julia <.25,.5>, 30 exponent 3 interior 2, 1
 leopard
 leopard frequency 2
+magnet 1 mandel 30
+magnet 1 mandel 30 interior 6, .125
+magnet 2 mandel 30 exterior 2, .00048828125
+magnet 1 julia <.3125,.5>, 30
+magnet 2 julia <.3125,.5>, 30 interior 1, .5
+mandel 30
+mandel 30 exponent 3
+mandel 30 exterior 6, .125
+mandel 30 exterior 3, .125 interior 1, .5
+mandel 30 interior 5, .5
 marble
 marble turbulence .3
 marble turbulence .3 octaves 3 omega .375 lambda 2.25

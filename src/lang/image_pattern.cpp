@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "lang/image_pattern.hpp"
+
+#include "image/colour.hpp"
+#include "image/texels.hpp"
+#include "lang/blocks.hpp"
+#include "simd/math.hpp"
+#include "texture/patterns/image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe::lang {
+
+namespace {
+
+using image::Texels;
+using texture::ImagePattern, texture::Picture;
+using Use = ImagePattern::Use;
+
+constexpr std::string_view type_words[] = {"png", "gif", "tga", "jpeg", "tiff", "iff", "ppm",
+                                           "pgm", "pot", "sys", "exr",  "hdr",  "bmp"};
+
+/// How codes of a file become numbers of the scene's working space.
+struct Gamma {
+  double file = 0;    ///< as Texels::gamma says it
+  double working = 0; ///< power that decodes the working space; below 0: sRGB; 0: codes are taken
+  double operator()(double code) const {
+    if (working == 0) return code;
+    double const light = file < 0 ? image::srgb_decode(code) : simd::pow(code, file);
+    return working < 0 ? image::srgb_encode(light) : simd::pow(light, 1 / working);
+  }
+};
+
+Gamma gamma_of(Reader& in, Texels const& texels, double written, bool colours) {
+  SceneState const& state = scene_state(in.interpreter());
+  scene::Settings const& settings = state.scene.settings;
+  bool const newer = state.effective_version >= 3.7;
+  Gamma out;
+  out.working = settings.assumed_gamma_srgb ? -1 : settings.assumed_gamma.value_or(newer ? 1 : 0);
+  out.file = written != 0 ? written : texels.gamma != 0 ? texels.gamma : newer ? -1 : out.working;
+  if (out.file == out.working || (!colours && written == 0)) out.working = 0;
+  return out;
+}
+
+std::optional<Texels> read_file(Reader& in) {
+  for (std::string_view const word : type_words)
+    if (in.accept(word)) break;
+  Span const at = in.next_span();
+  std::string const name = in.path("the file of a picture");
+  auto const bytes = load_file(in.interpreter(), name);
+  if (!bytes) {
+    in.report(Severity::Error, bytes.error().code, bytes.error().message, at);
+    return std::nullopt;
+  }
+  auto texels = image::read_texels(*bytes, name);
+  if (texels) return std::move(*texels);
+  in.report(Severity::Error, texels.error().code, texels.error().message, at);
+  return std::nullopt;
+}
+
+/// `filter i, f`, `transmit all f`: of a palette's entry or of all.
+bool read_passing(Reader& in, Texels const& texels, Picture& picture) {
+  bool const filter = in.accept("filter");
+  if (!filter && !in.accept("transmit")) return false;
+  bool const all = in.accept("all");
+  int const number = all ? 0 : in.integer("number of a palette's entry", 0, 65535);
+  auto const share = static_cast<float>(in.number("share of light"));
+  for (std::size_t k = 0; k < picture.texels.size(); ++k) {
+    if (!all && (texels.index.empty() || texels.index[k] != number)) continue;
+    (filter ? picture.texels[k].filter : picture.texels[k].transmit) += share;
+  }
+  return true;
+}
+
+std::shared_ptr<Picture> picture_of(Texels const& texels, Gamma const& gamma) {
+  auto out = std::make_shared<Picture>();
+  out->width = texels.width;
+  out->height = texels.height;
+  out->index = texels.index;
+  out->texels.resize(texels.rgba.size() / 4);
+  for (std::size_t k = 0; k < out->texels.size(); ++k) {
+    float const* const from = &texels.rgba[4 * k];
+    auto const light = [&](float code) {
+      return static_cast<float>(gamma(static_cast<double>(code)));
+    };
+    out->texels[k] = {light(from[0]), light(from[1]), light(from[2]), 0, 1 - from[3]};
+  }
+  return out;
+}
+
+double read_gamma(Reader& in) {
+  if (!in.accept("gamma")) return 0;
+  if (in.accept("srgb")) return -1;
+  Span const at = in.next_span();
+  double const value = in.number("gamma");
+  if (value > 0) return value;
+  in.report(Severity::Error, "E0353", "gamma must be positive", at);
+  return 1;
+}
+
+/// The block's picture and items. What is wrong is a picture of one black pixel.
+std::shared_ptr<texture::Pattern const> read_picture(Reader& in, Use use, bool close) {
+  auto texels = read_file(in);
+  if (!texels) texels = std::move(*image::make_texels(1, 1, ""));
+  double written = 0;
+  while (!in.at_end()) {
+    if (double const gamma = read_gamma(in); gamma != 0)
+      written = gamma;
+    else if (in.accept("premultiplied"))
+      in.boolean_or(true);
+    else
+      break;
+  }
+  auto picture =
+      picture_of(*texels, gamma_of(in, *texels, written, use == Use::Colours || use == Use::Bumps));
+  std::shared_ptr<texture::Pattern const> pattern = std::make_shared<ImagePattern>(picture, use);
+  while (!in.at_end()) {
+    if (auto changed = pattern->read_item(in))
+      pattern = std::move(changed);
+    else if (!read_passing(in, *texels, *picture)) {
+      if (!close) break;
+      reject(in, "an item of a picture");
+    }
+  }
+  if (close) in.close();
+  return pattern;
+}
+
+} // namespace
+
+std::shared_ptr<texture::Pattern const> read_image_map(Reader& in, bool&) {
+  in.open("image_map");
+  return read_picture(in, Use::Colours, true);
+}
+std::shared_ptr<texture::Pattern const> read_image_pattern(Reader& in, bool&) {
+  in.open("image_pattern");
+  return read_picture(in, Use::Values, true);
+}
+std::shared_ptr<texture::Pattern const> read_bump_map(Reader& in, bool&) {
+  in.open("bump_map");
+  return read_picture(in, Use::Bumps, true);
+}
+std::shared_ptr<texture::Pattern const> read_material_map(Reader& in, bool& encloses) {
+  in.open("material_map");
+  encloses = true;
+  return read_picture(in, Use::Numbers, false);
+}
+
+} // namespace abbe::lang
