@@ -13,7 +13,7 @@ namespace abbe::image {
 /// A picture as its file has it, before its codes are made light: for textures.
 struct Texels {
   int width = 0, height = 0;
-  std::vector<float> rgba;          ///< 0..1 as coded, four a pixel, rows from the top
+  std::vector<float> rgba; ///< 0..1 as coded, four a pixel, rows from the top
   bool has_alpha = false;
   std::vector<std::uint16_t> index; ///< numbers of palette entries; empty: no palette
   /// How codes stand for light: 0 the file does not say, else the power that decodes them; below

@@ -92,8 +92,7 @@ struct Value {
                    std::shared_ptr<scene::SkySphere const>, std::shared_ptr<optics::Glass const>,
                    std::shared_ptr<optics::Spectrum const>, std::shared_ptr<scene::Normal const>,
                    std::shared_ptr<NormalMapValue const>, std::shared_ptr<SlopeMapValue const>,
-                   std::shared_ptr<TextureMapValue const>,
-                   Unsupported>;
+                   std::shared_ptr<TextureMapValue const>, Unsupported>;
   Any any;
   Span declared_at;
   Few<Diagnostic> deferred = {}; ///< what of it is not supported yet: told when it is used

@@ -80,8 +80,8 @@ struct CompiledTextureMap {
 
 struct CompiledLayer {
   int pigment = 0;
-  int finish = 0; ///< in Stage::finishes
-  int space = 0;  ///< in Stage::texture_spaces; used by patterns only
+  int finish = 0;  ///< in Stage::finishes
+  int space = 0;   ///< in Stage::texture_spaces; used by patterns only
   int normal = -1; ///< in Textures::normals; -1: the surface's own
   int map = -1;    ///< in Textures::maps, in place of all else; -1: none
   bool uv = false; ///< asked for at <u, v, 0> of the surface

@@ -24,7 +24,7 @@ struct QueueKey {
 /// each of their lanes.
 struct Departing {
   LightKind kind;
-  std::uint32_t mirrored = 0; ///< as in QueueKey
+  std::uint32_t mirrored = 0;                  ///< as in QueueKey
   std::uint64_t RayCounts::*counted = nullptr; ///< null: the same ray goes on
   std::size_t count = 0;
   std::uint32_t* ray = nullptr;                    ///< of the chunk, that it comes of
@@ -44,7 +44,7 @@ struct Onward {
   double const* light;         ///< a lane
   Vectors const& way;          ///< directions
   RaySet rays = 0, deeper = 0; ///< which; which are a level deeper
-  std::uint32_t mirrored = 0; ///< as in QueueKey
+  std::uint32_t mirrored = 0;  ///< as in QueueKey
   std::uint64_t RayCounts::*counted = nullptr;
 };
 

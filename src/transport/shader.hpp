@@ -27,9 +27,9 @@ struct SurfaceLight {
   RaySet explicit_reflection = 0; ///< a `reflection` item was given: Fresnel does not come unasked
   Values exponent;                ///< of `reflection`; of rays in `mirrors`
   std::vector<OwnMirror*> own_mirrors; ///< empty as a rule
-  double* own = nullptr;          ///< light that the surface adds, throughput included; null: none
-  double** of_lamp = nullptr;     ///< by lamp: what it adds but for shadows; null: nothing
-  RaySet* lit = nullptr;          ///< by lamp: the rays whose surface it lights
+  double* own = nullptr;      ///< light that the surface adds, throughput included; null: none
+  double** of_lamp = nullptr; ///< by lamp: what it adds but for shadows; null: nothing
+  RaySet* lit = nullptr;      ///< by lamp: the rays whose surface it lights
 };
 
 /// What Fresnel's reflectance is to a texture.
@@ -174,7 +174,8 @@ private:
                 RaySet rays, double* light);
   /// The rays whose surface it lights, but for shadows.
   RaySet light_up(Lamp const& lamp, Aim const& aim, Vectors const& normal,
-                  surface::CompiledFinish const& finish, Pigments const& pigment, bool double_illuminate, RaySet rays, Lit& out);
+                  surface::CompiledFinish const& finish, Pigments const& pigment,
+                  bool double_illuminate, RaySet rays, Lit& out);
   void find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
                        bool double_illuminate, RaySet rays, Lit& out);
 

@@ -30,8 +30,8 @@ void find_sky(Stage const& stage, Arena& arena, Vec3 const& direction,
   double filter = 1, transmit = 1, through = 1; // all layers above
   surface::PigmentValue pigment{arena.take<double>(lanes)};
   for (auto number = stage.sky_pigments.rbegin(); number != stage.sky_pigments.rend(); ++number) {
-    surface::evaluate_pigment<0>(stage.textures, *number, {point}, channels, static_cast<int>(lanes),
-                                 pigment, arena);
+    surface::evaluate_pigment<0>(stage.textures, *number, {point}, channels,
+                                 static_cast<int>(lanes), pigment, arena);
     double const opaque = 1 - pigment.filter - pigment.transmit;
     for (std::size_t k = 0; k < lanes; ++k) {
       double const share = opaque * (plain_layers ? through : left[k]);

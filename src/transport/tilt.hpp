@@ -16,7 +16,7 @@ struct LayerFace {
 /// The part of a ray's surface that is shaded: its layers, where they are asked for, and which of
 /// the surfaces that it is on.
 struct LayerSpot {
-  surface::SeenLayers::Part const* part = nullptr; ///< null: the surface's own space
+  surface::SeenLayers::Part const* part = nullptr;     ///< null: the surface's own space
   geometry::SurfaceCrossing const* crossing = nullptr; ///< null: what the ray hit
 };
 

@@ -345,7 +345,8 @@ void Tracer::find_normals() {
   }
   face_rays(c, smoothed);
   c.tilts = false;
-  if (!stage_.textures.normals.empty() && tilts(stage_, c.hit[0].primitive)) tilt_top(stage_, arena_, c);
+  if (!stage_.textures.normals.empty() && tilts(stage_, c.hit[0].primitive))
+    tilt_top(stage_, arena_, c);
 }
 
 } // namespace abbe::transport

@@ -40,8 +40,7 @@ public:
   bool has_colours() const override { return use_ == Use::Colours; }
   PatternColour colour_at(Vec3 const& point) const override;
   bool lets_light_pass() const override;
-  bool tilt(Vec3 const& point, PatternModifiers const&, double amount,
-            Vec3& normal) const override;
+  bool tilt(Vec3 const& point, PatternModifiers const&, double amount, Vec3& normal) const override;
   std::shared_ptr<Pattern const> read_item(Parameters&) const override;
 
 private:
