@@ -24,16 +24,15 @@ std::uint32_t PixelSampler::corner(std::int64_t x, std::int64_t y, Pixel const& 
   if (number == fresh) {
     auto const scale = static_cast<double>(grid_);
     corners_.push_back({x, y, {}, Vec3(0)});
-    spots_.push_back(
-        spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0, pixel));
+    add_spot(static_cast<double>(x) / scale, static_cast<double>(y) / scale, key, 0, pixel);
   }
   return number;
 }
 
 void PixelSampler::take_corners() {
-  taken_.resize(spots_.size());
-  take(spots_.data(), spots_.size(), taken_.data());
-  auto corner = corners_.end() - static_cast<std::ptrdiff_t>(spots_.size());
+  taken_.resize(spots_.count());
+  take(taken_.data());
+  auto corner = corners_.end() - static_cast<std::ptrdiff_t>(spots_.count());
   for (Sampled& sampled : taken_) {
     for (int c = 0; c < 3; ++c) corner->seen[c] = as_seen(sampled.rgb[c]);
     corner->sampled = std::move(sampled);

@@ -34,11 +34,27 @@ void PixelSampler::start() {
   corner_numbers_ = {};
 }
 
-void PixelSampler::check(Spot const& spot, std::size_t place, Vec3 const& rgb) {
+void PixelSampler::Spots::clear() {
+  x.clear();
+  y.clear();
+  key.clear();
+  pixel.clear();
+}
+
+void PixelSampler::Spots::add(double at_x, double at_y, SampleKey const& of,
+                              Pixel const& for_pixel) {
+  x.push_back(at_x);
+  y.push_back(at_y);
+  key.push_back(of);
+  pixel.push_back(for_pixel);
+}
+
+void PixelSampler::check(std::size_t spot, std::size_t place, Vec3 const& rgb) {
   auto const row_of = [](Pixel const& pixel) { return std::pair(pixel.y, pixel.x); };
-  if (wrong_ && row_of(wrong_->pixel) <= row_of(spot.pixel)) return;
+  Pixel const& pixel = spots_.pixel[spot];
+  if (wrong_ && row_of(wrong_->pixel) <= row_of(pixel)) return;
   if (auto const kind = tracer_.wrong(place, rgb, negative_is_wrong_))
-    wrong_ = Wrong{*kind, spot.pixel, spot.x, spot.y, spot.key, rgb};
+    wrong_ = Wrong{*kind, pixel, spots_.x[spot], spots_.y[spot], spots_.key[spot], rgb};
 }
 
 std::size_t PixelSampler::place_of(Pixel const& pixel) const {
@@ -48,31 +64,22 @@ std::size_t PixelSampler::place_of(Pixel const& pixel) const {
          + static_cast<std::size_t>(pixel.x - region.x0);
 }
 
-void PixelSampler::take(Spot const* spots, std::size_t count, Sampled* out) {
-  std::size_t const most = tracer_.batch();
-  for (; count > 0;) {
-    std::size_t const some = std::min(most, count);
-    x_.resize(some);
-    y_.resize(some);
-    keys_.resize(some);
-    for (std::size_t k = 0; k < some; ++k) {
-      x_[k] = spots[k].x;
-      y_[k] = spots[k].y;
-      keys_[k] = spots[k].key;
-    }
-    tracer_.trace({x_.data(), y_.data(), some, options_.width, options_.height}, keys_);
-    for (std::size_t k = 0; k < some; ++k) {
-      out[k].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
-      out[k].rgb = tracer_.light_of(k, out[k].bands);
-      out[k].lost = tracer_.lost_of(k);
+void PixelSampler::take(Sampled* out) {
+  std::size_t const most = tracer_.batch(), count = spots_.count();
+  for (std::size_t first = 0; first < count; first += most) {
+    std::size_t const some = std::min(most, count - first);
+    tracer_.trace(
+        {spots_.x.data() + first, spots_.y.data() + first, some, options_.width, options_.height},
+        {spots_.key.data() + first, some});
+    for (std::size_t k = 0; k < some; ++k, ++out) {
+      out->bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
+      out->rgb = tracer_.light_of(k, out->bands);
+      out->lost = tracer_.lost_of(k);
       if (options_.rays_of_pixels)
-        (*options_.rays_of_pixels)[place_of(spots[k].pixel)] +=
+        (*options_.rays_of_pixels)[place_of(spots_.pixel[first + k])] +=
             static_cast<float>(tracer_.rays_of(k));
-      if (options_.check_finite) check(spots[k], k, out[k].rgb);
+      if (options_.check_finite) check(first + k, k, out->rgb);
     }
-    spots += some;
-    out += some;
-    count -= some;
   }
 }
 
@@ -82,23 +89,23 @@ RandomKey PixelSampler::key_of(Pixel const& pixel) const {
       .child(static_cast<std::uint64_t>(pixel.x));
 }
 
-PixelSampler::Spot PixelSampler::spot(double x, double y, RandomKey key, std::uint64_t number,
-                                      Pixel const& pixel) const {
-  return {x, y,
-          SampleKey{key, number, static_cast<std::int64_t>(std::floor(x)),
-                    static_cast<std::int64_t>(std::floor(y)), frame_key_},
-          pixel};
+void PixelSampler::add_spot(double x, double y, RandomKey key, std::uint64_t number,
+                            Pixel const& pixel) {
+  spots_.add(x, y,
+             SampleKey{key, number, static_cast<std::int64_t>(std::floor(x)),
+                       static_cast<std::int64_t>(std::floor(y)), frame_key_},
+             pixel);
 }
 
-PixelSampler::Spot PixelSampler::centre(Pixel const& pixel) const {
-  return {pixel.x + 0.5, pixel.y + 0.5, SampleKey{key_of(pixel), 0, pixel.x, pixel.y, frame_key_},
-          pixel};
+void PixelSampler::add_centre(Pixel const& pixel) {
+  spots_.add(pixel.x + 0.5, pixel.y + 0.5,
+             SampleKey{key_of(pixel), 0, pixel.x, pixel.y, frame_key_}, pixel);
 }
 
 void PixelSampler::centres(std::span<Pixel const> pixels, Sampled* out) {
   spots_.clear();
-  for (Pixel const& pixel : pixels) spots_.push_back(centre(pixel));
-  take(spots_.data(), spots_.size(), out);
+  for (Pixel const& pixel : pixels) add_centre(pixel);
+  take(out);
 }
 
 void PixelSampler::add_grid(Pixel const& pixel) {
@@ -114,19 +121,19 @@ void PixelSampler::add_grid(Pixel const& pixel) {
         dx += jitter * (sub.uniform(0) - 0.5);
         dy += jitter * (sub.uniform(1) - 0.5);
       }
-      spots_.push_back(spot(pixel.x + (i + dx) / n, pixel.y + (j + dy) / n, key, index, pixel));
+      add_spot(pixel.x + (i + dx) / n, pixel.y + (j + dy) / n, key, index, pixel);
     }
 }
 
 void PixelSampler::refined(std::span<Pixel const> pixels, bool middle, Sampled* out) {
   spots_.clear();
   for (Pixel const& pixel : pixels) {
-    if (middle) spots_.push_back(centre(pixel));
+    if (middle) add_centre(pixel);
     add_grid(pixel);
   }
-  taken_.resize(spots_.size());
-  take(spots_.data(), spots_.size(), taken_.data());
-  std::size_t const each = spots_.size() / pixels.size();
+  taken_.resize(spots_.count());
+  take(taken_.data());
+  std::size_t const each = spots_.count() / pixels.size();
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     Sampled& sum = out[i];
     sum.rgb = Vec3(0);

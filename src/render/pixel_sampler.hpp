@@ -57,22 +57,27 @@ public:
   std::optional<Wrong> const& wrong() const { return wrong_; }
 
 private:
-  /// A sample: where on the picture plane, and what its random numbers hang on.
-  struct Spot {
-    double x, y;
-    SampleKey key;
-    Pixel pixel; ///< that it is for
+  /// Samples: where on the picture plane, what their random numbers hang on, and the pixel that
+  /// each is for.
+  struct Spots {
+    std::vector<double> x, y;
+    std::vector<SampleKey> key;
+    std::vector<Pixel> pixel;
+
+    std::size_t count() const { return x.size(); }
+    void clear();
+    void add(double at_x, double at_y, SampleKey const& of, Pixel const& for_pixel);
   };
   RandomKey key_of(Pixel const& pixel) const;
-  Spot spot(double x, double y, RandomKey key, std::uint64_t number, Pixel const& pixel) const;
-  Spot centre(Pixel const& pixel) const;
+  void add_spot(double x, double y, RandomKey key, std::uint64_t number, Pixel const& pixel);
+  void add_centre(Pixel const& pixel);
   void add_grid(Pixel const& pixel);
   /// In the region.
   std::size_t place_of(Pixel const& pixel) const;
-  /// @param count any
-  void take(Spot const* spots, std::size_t count, Sampled* out);
+  /// All spots.
+  void take(Sampled* out);
   /// @param place of the sample among those that the tracer has just traced
-  void check(Spot const& spot, std::size_t place, Vec3 const& rgb);
+  void check(std::size_t spot, std::size_t place, Vec3 const& rgb);
   // Method 2 (pixel_corners.cpp). Places are counted in steps of its grid.
   struct Corner {
     std::int64_t x, y;
@@ -102,9 +107,7 @@ private:
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
-  std::vector<Spot> spots_; ///< in work
-  std::vector<double> x_, y_;
-  std::vector<SampleKey> keys_;
+  Spots spots_;                ///< in work
   std::vector<Sampled> taken_; ///< of spots_
   std::uint64_t lost_ = 0;
   std::vector<Corner> corners_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "transport/shadows.hpp"
 
+#include "transport/runs.hpp"
+
 #include <algorithm>
 
 namespace abbe::transport {
@@ -27,33 +29,23 @@ void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet l
   std::uint8_t ray[chunk_width];
   std::size_t last = 0;
   each_of(lit, [&](std::size_t r) { ray[last++] = static_cast<std::uint8_t>(r); });
-  auto const copy = [&](geometry::VectorArrays const& out, Vectors const& in) {
-    for (std::size_t i = 0; i < count; ++i) {
-      out.x[first + i] = in.x[ray[i]];
-      out.y[first + i] = in.y[ray[i]];
-      out.z[first + i] = in.z[ray[i]];
-    }
-  };
-  copy(to.origin, chunk.point);
-  copy(to.origin_error, chunk.point_error);
-  copy(to.direction, aim.direction);
+  Runs const runs(ray, count);
+  runs.take_vectors(chunk.point, to.origin, first);
+  runs.take_vectors(chunk.point_error, to.origin_error, first);
+  runs.take_vectors(aim.direction, to.direction, first);
+  runs.take(chunk.slot, to.slot.data() + first);
+  runs.take(aim.distance.value, to.rest.data() + first);
+  runs.take(light, to.light_of(first), n);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t const r = ray[i], k = first + i;
     bool const through = glm::dot(chunk.geometric.get(r), aim.direction.get(r)) < 0;
     to.start[k] = chunk.start_of(r, through);
     to.stack[k] = through ? chunk.after[r] : chunk.before[r];
-    to.slot[k] = chunk.slot[r];
     to.channel[k] = chunk.channels[r * n];
-    to.rest[k] = aim.distance[r];
   }
-  double* own = to.light_of(first);
-  for (std::size_t i = 0; i < count; ++i, own += n)
-    for (std::size_t c = 0; c < n; ++c) own[c] = light[ray[i] * n + c];
-  if (chunk.kind.listed())
-    for (std::size_t i = 0; i < count; ++i)
-      std::copy_n(chunk.channels + ray[i] * n, n, to.channels.data() + (first + i) * n);
-  for (std::size_t i = 0; fields_.travelled && i < count; ++i) to.travelled[first + i] = 0;
-  for (std::size_t i = 0; fields_.path && i < count; ++i) to.path[first + i] = chunk.path[ray[i]];
+  if (chunk.kind.listed()) runs.take(chunk.channels, to.channels.data() + first * n, n);
+  if (fields_.travelled) std::fill_n(to.travelled.data() + first, count, 0.0);
+  if (fields_.path) runs.take(chunk.path, to.path.data() + first);
 }
 
 void Shadows::add_to_film(Rays const& rays, std::size_t k) {

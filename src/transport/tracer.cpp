@@ -67,17 +67,23 @@ void Tracer::start_camera(PicturePoints const& points, std::span<SampleKey const
   Rays& rays = emitter_.queue({kind, camera_bit, false});
   rays.add(points.count);
   stage_.camera->rays(points, rays.origin, rays.direction);
-  for (std::size_t k = 0; k < points.count; ++k) {
-    rays.origin_error.set(k, Vec3(0));
-    rays.start[k] = {};
-    rays.stack[k] = camera_stack_ ? *camera_stack_ : inside_at(rays.origin.get(k));
+  std::size_t const count = points.count;
+  for (double* const error : {rays.origin_error.x, rays.origin_error.y, rays.origin_error.z})
+    std::fill_n(error, count, 0.0);
+  std::fill_n(rays.start.begin(), count, geometry::RayStart());
+  for (auto* const numbers : {&rays.channel, &rays.tooth, &rays.level})
+    std::fill_n(numbers->begin(), count, std::uint16_t{0});
+  std::fill_n(rays.light.begin(), count * kind.size(), 1.0);
+  if (camera_stack_)
+    std::fill_n(rays.stack.begin(), count, *camera_stack_);
+  else
+    for (std::size_t k = 0; k < count; ++k) rays.stack[k] = inside_at(rays.origin.get(k));
+  for (std::size_t k = 0; k < count; ++k) {
     rays.slot[k] = film_.channel_slot(static_cast<SampleFilm::Block>(k), 0);
-    rays.channel[k] = rays.tooth[k] = rays.level[k] = 0;
-    std::fill_n(rays.light_of(k), kind.size(), 1.0);
-    if (emitter_.fields().travelled) rays.travelled[k] = 0;
-    if (emitter_.fields().path) rays.path[k] = Paths::none;
     emitter_.count_ray(k);
   }
+  if (emitter_.fields().travelled) std::fill_n(rays.travelled.begin(), count, 0.0);
+  if (emitter_.fields().path) std::fill_n(rays.path.begin(), count, Paths::none);
   emitter_.counts.camera += keys.size();
   if (stage_.max_trace_level > 0) return;
   for (std::size_t k = 0; k < points.count; ++k)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace abbe::geometry {
 
@@ -53,6 +54,14 @@ Lathe::Lathe(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
 /// approach to the axis (or, along the axis, to the origin). A steep line may be closest far above
 /// or below: then from where it is at the nearest of the heights from `low` to `high`.
 struct Lathe::Turned {
+  /// All that meeting() makes of the line.
+  template <class N>
+  struct Parts {
+    N height;   ///< of the point
+    double off; ///< of the point's components, at most
+    N rise2, twice_rise;
+    Terms<N, 0> away, across, flat; ///< -|p_xz|^2, p_xz . d_xz, |d_xz|^2
+  };
   Line<double> line;
   Vec3 d;                       ///< scaled
   double unit = 1;              ///< of t
@@ -60,8 +69,9 @@ struct Lathe::Turned {
   Vec3 p{0};                    ///< the point, rounded
   double across2 = 0, rise = 0; ///< |d_xz|^2, d.y
   bool is_level = false;
-  double asked_radius = NAN, asked_height = NAN; ///< what meets() was asked for last
+  double asked_radius = NAN, asked_height = NAN; ///< of the last question to meets()
   int answer = 0;
+  Parts<double> doubles;
 
   Turned(Ray const& ray, double low, double high) : line(line_of(ray)) {
     unit = std::exp2(-std::ilogb(vector_length(ray.direction)));
@@ -77,6 +87,7 @@ struct Lathe::Turned {
     from = step * unit;
     p = ray.origin + step * d;
     is_level = std::fabs(rise) < level * std::sqrt(across2);
+    doubles = find_parts<double>();
   }
   template <class N>
   N place(int i) const {
@@ -89,23 +100,36 @@ struct Lathe::Turned {
     Vec3 const far = o + std::fabs(from / unit) * glm::abs(d);
     return 4 * roundoff<N> * std::max(far.x, std::max(far.y, far.z));
   }
+  template <class N>
+  Parts<N> find_parts() const {
+    double const off = place_error<N>(), u = roundoff<N>;
+    N const px = place<N>(0), pz = place<N>(2), dx(d.x), dz(d.z), dy(d.y);
+    double const size = std::fabs(rounded(px)) + std::fabs(rounded(pz)) + off;
+    return {place<N>(1),
+            off,
+            dy * dy,
+            N(2.0) * dy,
+            constant(-(px * px + pz * pz), size * (4 * off + 6 * u * size)),
+            constant(px * dx + pz * dz, 4 * (off + 4 * u * size)),
+            constant(dx * dx + dz * dz, 8 * u)};
+  }
   /// rise^2 r^2 - |xz of the line where it is at y|^2 rise^2: positive where the line passes
   /// within r of the axis.
   template <class N, int Degree>
   Terms<N, 2 * Degree> meeting(Terms<N, Degree> const& r, Terms<N, Degree> const& y) const {
-    double const off = place_error<N>();
-    N const px = place<N>(0), py = place<N>(1), pz = place<N>(2);
-    double const size = std::fabs(rounded(px)) + std::fabs(rounded(pz)) + off;
-    N const dx(d.x), dz(d.z), dy(d.y);
-    N const square = px * px + pz * pz, g = px * dx + pz * dz, flat = dx * dx + dz * dz;
-    double const u = roundoff<N>;
-    auto const above = sum_of(y, constant(-py, off));
-    auto const away = constant(-square, size * (4 * off + 6 * u * size));
-    auto const across = constant(g, 4 * (off + 4 * u * size));
-    auto const radial = sum_of(product(r, r), away);
+    if constexpr (std::is_same_v<N, double>)
+      return meeting(doubles, r, y);
+    else
+      return meeting(find_parts<N>(), r, y);
+  }
+  template <class N, int Degree>
+  static Terms<N, 2 * Degree> meeting(Parts<N> const& of, Terms<N, Degree> const& r,
+                                      Terms<N, Degree> const& y) {
+    auto const above = sum_of(y, constant(-of.height, of.off));
+    auto const radial = sum_of(product(r, r), of.away);
     // rise^2 (r^2 - |p|^2) - Y (2 rise g + |d_xz|^2 Y), Y = y - p.y
-    auto const tilt = sum_of(times(N(2.0) * dy, across), product(constant(flat, 8 * u), above));
-    return sum_of(times(dy * dy, radial), -product(above, tilt));
+    auto const tilt = sum_of(times(of.twice_rise, of.across), product(of.flat, above));
+    return sum_of(times(of.rise2, radial), -product(above, tilt));
   }
   /// Does the line pass within the radius of the axis at a height? -1 or 1. Neighbouring pieces ask
   /// for their joint one after the other.
