@@ -30,6 +30,11 @@ def said(text: str) -> tuple:
     return tuple(''.join(part.split()) for part in text.split('|')[1:])
 
 
+def unescaped(text: str) -> str:
+    """With the control characters that abbe shows as "\\x08"."""
+    return re.sub(r'\\x([0-9a-f]{2})', lambda found: chr(int(found.group(1), 16)), text)
+
+
 def in_folder(texts: list, folder: str) -> list:
     paths = []
     for i, text in enumerate(texts):
@@ -52,7 +57,7 @@ def ask_abbe(program: str, path: pathlib.Path) -> Verdict:
     if done.returncode == 1:
         found = re.search(r'error(?:\[(E\d+)\])?: (.*)', text)
         return Verdict('refuses', f'{found.group(1) or ""} {found.group(2)}' if found else text.strip()[:80])
-    return Verdict('reads', '', said(DIAGNOSTIC.sub('', text)))
+    return Verdict('reads', '', said(unescaped(DIAGNOSTIC.sub('', text))))
 
 
 # ---------------------------------------------------------------------------------------- povray
