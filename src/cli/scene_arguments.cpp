@@ -78,6 +78,10 @@ void SceneArguments::add_to(CommandLine& app, bool with_plan) {
       .type_name("DIR")
       .one_at_a_time();
   app.add_flag("--allow-write", allow_write, "let the scene write files (#fopen ... write)");
+  app.add_flag(
+      "--strict", strict,
+      "as 'effects strict' in the scene: what is not rendered yet is an error, and so is an "
+      "effect that is put off");
   app.add_flag("--quiet", quiet, "no progress and no #debug output");
   app.add_option("--max-time", max_time,
                  "end after this time as by Ctrl-C, with status 124: seconds, or as 30s, 5m")
@@ -146,6 +150,7 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   options.image_width = arguments.width;
   options.image_height = arguments.height;
   options.allow_write = arguments.allow_write;
+  options.strict = arguments.strict;
   options.stop = &job::interrupted();
   if (!arguments.quiet) options.on_message = [](std::string_view text) { say_text(text); };
   std::size_t printed = 0;

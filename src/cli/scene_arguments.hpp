@@ -20,6 +20,7 @@ struct SceneArguments {
   std::vector<std::string> include_dirs;
   std::vector<std::string> read_dirs; ///< --allow-read
   bool allow_write = false;
+  bool strict = false;
   bool quiet = false;
   std::string max_time, max_memory;
   std::optional<int> bands;

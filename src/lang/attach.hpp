@@ -9,9 +9,6 @@ namespace abbe::lang {
 void transform_layers(scene::Layers&, geometry::Transform const&);
 /// Gives a layer another pigment, which stays where it is if the layer was moved before.
 void set_pigment(scene::Texture& layer, scene::Pigment pigment);
-/// Reads on in a pigment that stands in a texture. A plain colour was moved by `moved`, which shows
-/// when it is given a pattern.
-void read_pigment_of_texture(Reader&, scene::Pigment&, geometry::Transform const& moved);
 /// Takes `pigment {}` or `finish {}`, which change what the layer has, when one is next.
 bool read_texture_part(Reader&, scene::Texture& layer);
 

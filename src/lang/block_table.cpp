@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 #include "lang/blocks.hpp"
+#include "lang/not_rendered.hpp"
 #include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
@@ -97,6 +98,19 @@ Value texture_map_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
   return shared(TextureMapValue{read_texture_map(in)}, span);
 }
+Value media_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  read_media(in);
+  return shared(MediaValue{}, span);
+}
+Value density_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_density(in), span);
+}
+Value density_map_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(MapValue{read_density_map(in)}, span);
+}
 /// A spectrum is a colour: it can be scaled and stand wherever a colour may.
 Value spectrum_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
@@ -170,6 +184,8 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"color_map", color_map_value, nullptr},
     {"colour_map", color_map_value, nullptr},
     {"composite", object_value, place_object_value},
+    {"density", density_value, nullptr},
+    {"density_map", density_map_value, nullptr},
     {"difference", object_value, place_object_value},
     {"effects", effects_value, place_nothing},
     {"finish", finish_value, nullptr},
@@ -179,6 +195,7 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"intersection", object_value, place_object_value},
     {"light_source", light_value, place_light},
     {"material", material_value, nullptr},
+    {"media", media_value, place_nothing},
     {"merge", object_value, place_object_value},
     {"normal", normal_value, nullptr},
     {"normal_map", normal_map_value, nullptr},

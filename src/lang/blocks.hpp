@@ -30,7 +30,9 @@ struct SceneState {
   double effective_version = 3.62;
   int default_noise_generator = 2;
   bool gamma_given = false; ///< a second assumed_gamma is ignored
-  int cameras = 0;          ///< seen at the top level, for the warning about a second one
+  /// What the scene calls for and is not rendered yet, by message: see not_rendered.hpp.
+  std::map<std::string, Diagnostic> not_rendered;
+  int cameras = 0; ///< seen at the top level, for the warning about a second one
   /// Glasses of AGF files (`glass_catalog`), in the order read.
   std::vector<std::shared_ptr<optics::Glass const>> file_glasses;
   /// Glasses that a file names and that could not be made, with the reason.
@@ -121,9 +123,19 @@ scene::Colour read_colour_parts(Reader&, scene::Colour start);
 // pigment.cpp, color_map.cpp, finish.cpp, texture.cpp, material.cpp
 void read_pigment(Reader&, scene::Pigment&);
 void transform_pigment(scene::Pigment&, geometry::Transform const&);
+/// What pigments, and densities, which are read alike, call themselves and their maps.
+struct PigmentWords {
+  std::string_view block = "pigment", map = "pigment_map";
+};
+/// An entry of such a map, or an item of a list.
+std::shared_ptr<scene::Pigment const> read_pigment_item(Reader&, PigmentWords const&);
+/// Reads on in a pigment that stands in a texture. A plain colour was moved by `moved`, which shows
+/// when it is given a pattern.
+void read_pigment_of_texture(Reader&, scene::Pigment&, geometry::Transform const& moved,
+                             PigmentWords const& = {});
 /// `color_map`, `pigment_map` (the opened block's content).
 std::vector<scene::Pigment::Entry> read_color_map(Reader&);
-std::vector<scene::Pigment::Entry> read_pigment_map(Reader&);
+std::vector<scene::Pigment::Entry> read_pigment_map(Reader&, PigmentWords const& = {});
 /// normal.cpp. @param moved what a block without a pattern was moved by, for one that it gets
 void read_normal(Reader&, scene::Normal&, geometry::Transform const& moved);
 void transform_normal(std::shared_ptr<scene::Normal const>&, geometry::Transform const&);

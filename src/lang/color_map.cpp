@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lang/pattern.hpp"
 
+#include <fmt/format.h>
+
 namespace abbe::lang {
 
 namespace {
@@ -46,15 +48,9 @@ void read_color_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
   entries.push_back({value, plain(read_entry_colour(in), span)});
 }
 
-void read_pigment_entry(Reader& in, std::vector<Pigment::Entry>& entries) {
-  double const value = read_entry_value(in);
-  auto pigment = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
-  read_pigment(in, *pigment);
-  entries.push_back({value, std::move(pigment)});
-}
-
+template <class ReadEntry>
 std::vector<Pigment::Entry> read_map(Reader& in, std::string_view what,
-                                     void (*read_entry)(Reader&, std::vector<Pigment::Entry>&)) {
+                                     ReadEntry const& read_entry) {
   std::vector<Pigment::Entry> entries;
   if (auto named = in.accept_value<MapValue>()) entries = named->entries;
   read_entries(in, what, entries, read_entry);
@@ -69,8 +65,12 @@ std::vector<Pigment::Entry> read_color_map(Reader& in) {
   return entries;
 }
 
-std::vector<Pigment::Entry> read_pigment_map(Reader& in) {
-  return read_map(in, "a pigment_map", read_pigment_entry);
+std::vector<Pigment::Entry> read_pigment_map(Reader& in, PigmentWords const& words) {
+  return read_map(in, fmt::format("a {}", words.map),
+                  [&](Reader& items, std::vector<Pigment::Entry>& entries) {
+                    double const value = read_entry_value(items);
+                    entries.push_back({value, read_pigment_item(items, words)});
+                  });
 }
 
 } // namespace abbe::lang

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/attach.hpp"
 #include "lang/interpreter.hpp"
+#include "lang/not_rendered.hpp"
 
 namespace abbe::lang {
 
@@ -30,7 +31,7 @@ void read_default(Reader& in) {
       in.close();
       state.deferred_of_camera = deferral.take();
     } else {
-      if (!read_texture_part(in, state.default_texture))
+      if (!read_texture_part(in, state.default_texture) && !read_importance(in))
         reject(in, "a texture, pigment, finish or camera");
       state.deferred_of_texture.append(deferral.take());
     }

@@ -43,10 +43,19 @@ void Interpreter::use(Few<Diagnostic> const& deferred, Span at) {
 }
 
 void Interpreter::keep_or_add(Diagnostic diagnostic) {
-  if (deferral && diagnostic.code == "E0901")
+  if (deferral && (diagnostic.code == "E0901" || diagnostic.code == "E0903"))
     deferral->keep(std::move(diagnostic));
+  else if (diagnostic.code == "E0903")
+    state.not_rendered.try_emplace(std::string(diagnostic.message), std::move(diagnostic));
   else
     add(std::move(diagnostic));
+}
+
+void Interpreter::tell_not_rendered() {
+  for (auto& [message, told] : std::exchange(state.not_rendered, {})) {
+    if (state.scene.settings.effects.strict) told.severity = Severity::Error;
+    add(std::move(told));
+  }
 }
 
 } // namespace abbe::lang

@@ -9,10 +9,11 @@ namespace abbe::lang {
 
 class Interpreter;
 
-/// What is not supported yet (E0901) is an error where it is used, not where it is declared: while
-/// a Deferral lives, such messages are kept for the value that is being declared (Value::deferred).
-/// Interpreter::use() tells them when the value is used: at once in the scene itself, else they are
-/// kept for the value that it becomes part of.
+/// What is not supported yet (E0901) is an error where it is used, not where it is declared, and
+/// what is not rendered yet (E0903) is told there: while a Deferral lives, such messages are kept
+/// for the value that is being declared (Value::deferred). Interpreter::use() tells them when the
+/// value is used: at once in the scene itself, else they are kept for the value that it becomes
+/// part of.
 class Deferral {
 public:
   explicit Deferral(Interpreter&);

@@ -39,6 +39,7 @@ struct EvaluateOptions {
   int image_height = 480;
   AnimationFrame frame = {};
   bool allow_write = false; ///< --allow-write
+  bool strict = false;      ///< --strict: as `effects strict` in the scene
   int max_errors = 50;
   int max_macro_depth = 1000;
   /// Texts of #debug, #render and #statistics as they come; out of a source above `whole_text`,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
 #include "lang/libraries.hpp"
+#include "lang/not_rendered.hpp"
 
 #include <fmt/format.h>
 
@@ -151,7 +152,7 @@ bool read_item(Reader& in, Finish& finish, Albedo& albedo) {
     finish.conserve_energy = in.boolean_or(true);
   else
     return read_diffuse(in, finish, albedo) || read_highlight(in, finish, albedo)
-           || read_reflection(in, finish);
+           || read_reflection(in, finish) || read_subsurface(in);
   return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/not_rendered.hpp"
 
 #include <fmt/format.h>
 
@@ -122,6 +123,9 @@ void read_interior(Reader& in, Interior& interior) {
       ior_at = at;
     } else if (read_fade(in, interior)) {
       fade_at = at;
+    } else if (in.open("media")) {
+      read_media(in);
+      in.close();
     } else if (in.accept("priority")) {
       interior.priority = in.integer("priority", -1000000, 1000000);
     } else if (!read_glass_item(in, interior) && !read_dispersion_item(in, interior)) {

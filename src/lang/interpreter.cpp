@@ -26,6 +26,7 @@ Interpreter::Interpreter(EvaluateOptions const& options, SourceSet& sources)
   for (std::size_t i = 1; i < constant_names.size(); ++i) scope.intern(constant_names[i]);
   for (auto const& function : builtins()) scope.intern(function.name);
   stack_limit_ = stack_pointer() - stack_share;
+  state.scene.settings.effects.strict = options.strict;
 }
 
 ast::Document const& Interpreter::document(SourceFile const& source) {
@@ -135,6 +136,7 @@ void Interpreter::run_statements(SourceFile const& source) {
     place_ = reader.next_span();
     while (!reader.at_end()) read_statement(reader);
     finish_scene(reader);
+    tell_not_rendered();
   } catch (std::bad_alloc const&) {
     error("E0706", "there is no memory left for what the scene makes here", place_);
     abort();

@@ -68,6 +68,9 @@ public:
   void warning(std::string message, Span span) {
     report(Severity::Warning, "", std::move(message), span);
   }
+  /// Tells what the scene calls for and is not rendered yet: once a word, at its first place.
+  /// Warnings, or errors where `strict` was said.
+  void tell_not_rendered();
   /// Tells what was deferred of something that is used at `at`.
   void use(Few<Diagnostic> const& deferred, Span at);
   /// Adds a message as it is. @throws Aborted when there are too many errors

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/not_rendered.hpp"
 #include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ bool read_item(Reader& in, Light& light) {
   else if (in.accept("fade_power"))
     light.fade_power = in.number("fade_power");
   else
-    return reject_area(in) || read_kind(in, light) || read_aim(in, light);
+    return read_light_photons(in) || reject_area(in) || read_kind(in, light) || read_aim(in, light);
   return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/attach.hpp"
+#include "lang/not_rendered.hpp"
 
 namespace abbe::lang {
 
@@ -104,7 +105,7 @@ bool read_object_modifier(Reader& in, Object& object) {
   // For the words that it asks for: "did you mean".
   Surface const surface{object.texture, object.interior_texture, object.interior};
   return read_surface(in, surface) || read_flags(in, object) || read_bounds(in, object)
-         || read_hint(in);
+         || read_hint(in) || read_object_light(in);
 }
 
 void transform_object(Object& object, geometry::Transform const& transform) {

@@ -23,15 +23,20 @@ std::shared_ptr<Pigment const> plain(scene::Colour colour) {
 /// What a pigment is while its block is read.
 struct Draft : PatternDraft {
   Pigment& pigment;
+  PigmentWords const& words;
   bool begun = false;  ///< has an item been read?
   bool chosen = false; ///< has a colour or a pattern been read?
   bool wrong = false;  ///< has an item been reported?
 
-  explicit Draft(Pigment& target) : pigment(target) { load(pigment.pattern); }
+  Draft(Pigment& target, PigmentWords const& own) : pigment(target), words(own) {
+    load(pigment.pattern);
+  }
   void choose(Reader& in, Span at) {
     if (std::exchange(chosen, true) && !wrong)
       in.report(Severity::Error, "E0251",
-                "a second colour or pattern: a pigment has one, before its modifiers", at);
+                fmt::format("a second colour or pattern: a {} has one, before its modifiers",
+                            words.block),
+                at);
   }
   void set(scene::Colour const& colour) {
     pigment.colour = colour;
@@ -47,17 +52,25 @@ void set_default_entries(Pigment& pigment, texture::Pattern const& pattern, std:
     pigment.entries.push_back({defaults[i].value, plain({defaults[i].rgb, 0, 0, nullptr})});
 }
 
+} // namespace
+
+std::shared_ptr<Pigment const> read_pigment_item(Reader& in, PigmentWords const& words) {
+  auto item = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
+  read_pigment_of_texture(in, *item, {}, words);
+  return item;
+}
+
+namespace {
+
 /// The items of checker, brick and their like: colours or pigments.
 void read_list(Reader& in, Draft& draft) {
   auto const size = static_cast<std::size_t>(draft.instance->pattern->list_size());
   std::vector<Pigment::Entry> items;
   while (items.size() < size && !in.at_end()) {
     auto const number = static_cast<double>(items.size());
-    if (in.open("pigment")) {
-      auto item = std::make_shared<Pigment>(default_texture(in, in.block_span()).pigment);
-      read_pigment(in, *item);
+    if (in.open(draft.words.block)) {
+      items.push_back({number, read_pigment_item(in, draft.words)});
       in.close();
-      items.push_back({number, std::move(item)});
     } else if (auto named = in.accept_value<Pigment>()) {
       items.push_back({number, std::move(named)});
     } else if (auto colour = accept_colour(in)) {
@@ -110,8 +123,8 @@ bool read_modifier(Reader& in, Draft& draft) {
 bool read_map(Reader& in, Draft& draft) {
   Span const at = in.next_span();
   bool const colours = in.open("color_map") || in.open("colour_map");
-  if (!colours && !in.open("pigment_map")) return false;
-  auto entries = colours ? read_color_map(in) : read_pigment_map(in);
+  if (!colours && !in.open(draft.words.map)) return false;
+  auto entries = colours ? read_color_map(in) : read_pigment_map(in, draft.words);
   in.close();
   if (draft.is_list())
     in.report(Severity::Error, "E0252", "this pattern takes a list of colours, not a map", at);
@@ -139,7 +152,7 @@ bool read_other(Reader& in, Draft& draft) {
     draft.transform(transform);
   } else if (in.accept("quick_color") || in.accept("quick_colour")) {
     read_colour(in, "quick_color"); // only for POV-Ray's lowest qualities
-  } else if (auto named = in.accept_copied<Pigment>(!draft.begun, "pigment")) {
+  } else if (auto named = in.accept_copied<Pigment>(!draft.begun, draft.words.block)) {
     draft.pigment = *named;
     draft.moved = {};
     draft.load(named->pattern);
@@ -158,10 +171,11 @@ void read_pigment(Reader& in, Pigment& pigment) {
   read_pigment_of_texture(in, pigment, {});
 }
 
-void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform const& moved) {
+void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform const& moved,
+                             PigmentWords const& words) {
   pigment.span = in.block_span();
   Span const span = pigment.span;
-  Draft draft(pigment);
+  Draft draft(pigment, words);
   draft.moved = moved;
   bool rejected = false;
   for (; !in.at_end(); draft.begun = true) {
@@ -173,7 +187,7 @@ void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform c
       break;
     }
     ask_for_patterns(in);
-    reject(in, "a pigment item");
+    reject(in, fmt::format("a {} item", words.block));
     draft.wrong = true;
   }
   pigment.span = span;
@@ -188,7 +202,8 @@ void read_pigment_of_texture(Reader& in, Pigment& pigment, geometry::Transform c
   }
   if (!draft.instance && !pigment.entries.empty()) {
     if (!rejected)
-      in.report(Severity::Error, "E0250", "this pigment has a map but no pattern", span);
+      in.report(Severity::Error, "E0250",
+                fmt::format("this {} has a map but no pattern", words.block), span);
     pigment.entries.clear();
   }
 }

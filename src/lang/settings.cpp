@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/not_rendered.hpp"
 
 #include "optics/bands.hpp"
 
@@ -150,7 +151,7 @@ bool read_ignored(Reader& in) {
   } else if (in.accept("number_of_waves")) {
     if (in.number("number_of_waves") != 10) warn_ignored(in, "a number_of_waves other than 10", at);
   } else if (in.accept("mm_per_unit")) {
-    in.number("mm_per_unit"); // for subsurface, which is reported
+    in.number("mm_per_unit"); // for subsurface, which is told
   } else {
     return false;
   }
@@ -190,7 +191,7 @@ bool read_item(Reader& in, Settings& settings) {
     settings.noise_generator = generator;
     scene_state(in.interpreter()).default_noise_generator = generator;
   } else {
-    return read_ignored(in);
+    return read_ignored(in) || read_global_light(in);
   }
   return true;
 }

@@ -70,6 +70,8 @@ struct TextureMapValue {
 struct SlopeMapValue {
   std::vector<scene::Normal::Slope> entries;
 };
+/// `media`: read, and not rendered yet.
+struct MediaValue {};
 struct MaterialValue {
   scene::SharedLayers texture, interior_texture;
   std::shared_ptr<scene::Interior const> interior;
@@ -92,7 +94,8 @@ struct Value {
                    std::shared_ptr<scene::SkySphere const>, std::shared_ptr<optics::Glass const>,
                    std::shared_ptr<optics::Spectrum const>, std::shared_ptr<scene::Normal const>,
                    std::shared_ptr<NormalMapValue const>, std::shared_ptr<SlopeMapValue const>,
-                   std::shared_ptr<TextureMapValue const>, Unsupported>;
+                   std::shared_ptr<TextureMapValue const>, std::shared_ptr<MediaValue const>,
+                   Unsupported>;
   Any any;
   Span declared_at;
   Few<Diagnostic> deferred = {}; ///< what of it is not supported yet: told when it is used

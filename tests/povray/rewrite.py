@@ -7,6 +7,7 @@
 | `#declare X = glass {...}`            | dropped; used where `glass { X }` stands |
 | `dispersion {...}`                    | dropped; `{ none }` leaves the `dispersion` number out |
 | `spectral {...}`, `effects {...}`     | dropped |
+| `radiosity`, `photons`, `media`, `subsurface` blocks | dropped: abbe does not render them yet |
 | `spectrum {...}`, `metal`, `glass_catalog` | cannot be rewritten: an error |
 
 Absorption of glasses is lost. An object of glass without a texture is clear in abbe and black in POV-Ray:
@@ -15,6 +16,9 @@ scenes to be compared give it one. Files that a scene includes are not rewritten
 import dataclasses
 import re
 import typing
+
+# What abbe reads and does not render yet. Where one is declared it stays: it does nothing there.
+NOT_RENDERED = ('radiosity', 'photons', 'media', 'subsurface')
 
 # Fraunhofer lines in micrometres: F and C of hydrogen, d of helium.
 LINE_F, LINE_D, LINE_C = 0.48613270, 0.58756180, 0.65627250
@@ -149,6 +153,19 @@ class Rewriter:
             sign = -1 if word == '-' else 1
         return glass_of_formula(first, numbers)
 
+    def dropped(self, at: int) -> typing.Optional[int]:
+        """The first token behind a block at `at` that abbe does not render yet; None: there is none."""
+        after = self.following(at)
+        if self.tokens[at].text not in NOT_RENDERED or not self.is_text(after, '{'):
+            return None
+        before = at - 1
+        while before >= 0 and self.tokens[before].kind == 'blank':
+            before -= 1
+        if before >= 0 and self.tokens[before].text == '=':
+            return None
+        self.changed = True
+        return self.close_of(after) + 1
+
     def interior(self, begin: int, end: int, out: list) -> None:
         """The content of an interior block."""
         none = self.no_dispersion
@@ -159,7 +176,10 @@ class Rewriter:
         at = begin
         while at < end:
             token = self.tokens[at]
-            if token.kind == 'word' and token.text == 'glass':
+            behind = self.dropped(at)
+            if behind is not None:
+                at = behind
+            elif token.kind == 'word' and token.text == 'glass':
                 glass, at = self.glass_at(at)
                 ior, ratio = pov_dispersion(glass)
                 out.append(f'ior {glass.nd:.9f}' if none else f'ior {ior:.9f} dispersion {ratio:.9f}')
@@ -197,6 +217,10 @@ class Rewriter:
         while at < len(self.tokens):
             token, after = self.tokens[at], self.following(at)
             if token.kind == 'word':
+                behind = self.dropped(at)
+                if behind is not None:
+                    at = behind
+                    continue
                 if re.fullmatch(r'#\s*(declare|local)', token.text):
                     end = self.declaration(at)
                     if end is not None:

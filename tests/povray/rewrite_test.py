@@ -89,6 +89,13 @@ class Others(unittest.TestCase):
         self.assertEqual(rewritten('global_settings { assumed_gamma 1 spectral { bands 8 range 380, 780 } }'),
                          'global_settings { assumed_gamma 1  }')
 
+    def test_what_is_not_rendered_is_dropped_but_for_declarations(self) -> None:
+        self.assertEqual(rewritten('global_settings { radiosity { count 3 } assumed_gamma 1 }\n'
+                                   '#declare M = media { emission 1 }\n'
+                                   'sphere { 0, 1 interior { ior 1 media { M } } photons { target } }'),
+                         'global_settings {  assumed_gamma 1 }\n#declare M = media { emission 1 }\n'
+                         'sphere { 0, 1 interior { ior 1  }  }')
+
     def test_what_has_no_counterpart_is_an_error(self) -> None:
         for text in ('light_source { 0, spectrum { blackbody 5600 } }',
                      'finish { reflection { metal "Au" } }', 'glass_catalog "x.agf"',

@@ -135,7 +135,7 @@ TEST(Interior, KeepsPovRaysOwnForm) {
   EXPECT_EQ(i->caustics, 0.5);
   EXPECT_EQ(i->fade_colour.rgb, Vec3(1, 0.5, 0));
   EXPECT_EQ(codes("sphere { 0, 1 interior { media { emission 1 density { spherical } } ior 1 } }"),
-            "E0901");
+            "E0903");
   EXPECT_EQ(codes("sphere { 0, 1 interior { ior 1.5 glass { abbe 1.5, 60 } } }"), "E0422");
 }
 

@@ -34,8 +34,8 @@ TEST(Settings, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("global_settings { spectral { range 700, 400 } }"), "E0416");
   EXPECT_EQ(codes("global_settings { spectral { spacing boundaries { 500, 400 } } }"), "E0416");
   EXPECT_EQ(codes("global_settings { spectral { unit 0 } }"), "E0353");
-  EXPECT_EQ(codes("global_settings { radiosity { count 35 } }"), "E0901");
-  EXPECT_EQ(codes("global_settings { photons { count 20000 media 10 } }"), "E0901");
+  EXPECT_EQ(codes("global_settings { radiosity { count 35 } }"), "E0903");
+  EXPECT_EQ(codes("global_settings { photons { count 20000 media 10 } }"), "E0903");
   EXPECT_EQ(
       codes("global_settings { number_of_waves 3 charset utf8 hf_gray_16 max_intersections 64 }"),
       "E0902");
@@ -115,6 +115,54 @@ TEST(Spectrum, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("light_source { 0, spectrum { [500, 1] [400, 1] } }"), "E0415");
   EXPECT_EQ(codes("light_source { 0, spectrum { } }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 pigment { spectrum { \"Au\" } } }"), "E0420");
+}
+
+TEST(NotRendered, EveryWordIsReadAndToldOnce) {
+  EXPECT_EQ(
+      codes("global_settings { radiosity { brightness 1 count 35, 1600 error_bound 1.8\n"
+            "gray_threshold 0 low_error_factor .5 minimum_reuse .015 maximum_reuse .2\n"
+            "nearest_count 5, 2 recursion_limit 2 max_sample -1 adc_bailout .01 normal off\n"
+            "media on subsurface off pretrace_start .08 pretrace_end .04 always_sample no } }"),
+      "E0903");
+  EXPECT_EQ(codes("global_settings { photons { spacing .1 count 100 gather 20, 100 media 10, 1\n"
+                  "jitter .4 max_trace_level 4 adc_bailout .01 autostop .5\n"
+                  "expand_thresholds .2, 35 radius .1, 2, .1, 2 load_file \"a.ph\" } }"),
+            "E0903");
+  EXPECT_EQ(codes("global_settings { subsurface { samples 50, 50 radiosity off } }"), "E0903");
+  EXPECT_EQ(codes("media { absorption .1 emission rgb 1 scattering { 5, .1 eccentricity .3\n"
+                  "extinction 1 } method 3 intervals 1 samples 3, 4 confidence .9 variance .1\n"
+                  "ratio .9 jitter .5 aa_level 3 aa_threshold .1 collect off translate x\n"
+                  "density { checker density { rgb 1 } density { gradient x } }\n"
+                  "density { bozo density_map { [0 rgb 1] [1 wood turbulence 1] } scale 2 } }\n"
+                  "media { emission 1 }"),
+            "E0903");
+}
+
+TEST(NotRendered, WithoutTheGlobalBlockNothingIsMissing) {
+  scene_of("#default { radiosity { importance .5 } }\n"
+           "sphere { 0, 1 finish { subsurface { translucency .5 anisotropy rgb .1 } }\n"
+           "photons { target 1 refraction on reflection off collect on pass_through }\n"
+           "radiosity { importance .5 } no_radiosity }\n"
+           "light_source { 0, 1 photons { refraction on reflection on area_light } }");
+}
+
+TEST(NotRendered, MediaIsToldWhereItIsUsed) {
+  std::string const declared =
+      "#declare D = density { spherical color_map { [0 rgb 0] [1 rgb 1] } }\n"
+      "#declare M = media { emission 1 density { D } density { D scale 2 } }\n"
+      "#declare Map = density_map { [0 D] [1 rgb 1] }\n"
+      "#declare I = interior { media { M } }\n";
+  scene_of(declared);
+  EXPECT_EQ(codes(declared + "sphere { 0, 1 interior { I } } media { M }"), "E0903");
+}
+
+TEST(NotRendered, StrictMakesItAnError) {
+  for (std::string const text :
+       {"media { emission 1 } effects strict", "effects { strict } media { emission 1 }"}) {
+    Evaluated const evaluated = evaluate(text);
+    ASSERT_EQ(evaluated.diagnostics.size(), 1u);
+    EXPECT_EQ(evaluated.diagnostics[0].severity, Severity::Error);
+  }
 }
 
 TEST(Unsupported, TheListAndTheDocumentationAgree) {
