@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 #include "lang/blocks.hpp"
+#include "lang/file_shapes.hpp"
 #include "lang/not_rendered.hpp"
 #include "lang/unsupported.hpp"
 
@@ -215,6 +216,8 @@ std::vector<BlockKind> const& all_kinds() {
   static std::vector<BlockKind> const kinds = [] {
     std::vector<BlockKind> all(std::begin(kinds_without_shapes), std::end(kinds_without_shapes));
     for (auto const& shape : geometry::shape_kinds())
+      all.push_back({shape.keyword, object_value, place_object_value});
+    for (auto const& shape : file_shapes())
       all.push_back({shape.keyword, object_value, place_object_value});
     auto const known = all.size();
     for (std::string_view const word : unsupported_words())

@@ -21,6 +21,8 @@ class Bands;
 /// block up to its end; the caller opens and closes it.
 namespace abbe::lang {
 
+class Fonts;
+
 /// A `#default` texture's parts and the scene that grows: what all block readers share.
 struct SceneState {
   scene::Scene scene;
@@ -43,6 +45,7 @@ struct SceneState {
   /// Entries of the catalogue that were named, so that each is parsed once.
   std::map<std::string, std::shared_ptr<optics::Glass const>, std::less<>> named_glasses;
   std::optional<optics::DataLibrary> glass_library, spectra_library; ///< once something is named
+  std::shared_ptr<Fonts> fonts;                                      ///< once a text names one
 };
 
 // ------------------------------------------------- what block readers ask of the interpreter

@@ -78,6 +78,14 @@ std::vector<fs::path> Files::folders(SourceFile const* from) const {
   return all;
 }
 
+/// Is it a file of POV-Ray's includes by its name? Where a link among these leads was decided by
+/// who installed them (fonts are elsewhere as a rule).
+bool Files::installed(fs::path const& folder, fs::path const& path) const {
+  fs::path const& povray = in_.options().povray_dir;
+  return !povray.empty() && folder == povray
+         && below(fs::absolute(path).lexically_normal(), fs::absolute(povray).lexically_normal());
+}
+
 std::optional<Error> Files::forbidden(std::string_view name, fs::path const& place) const {
   if (!roots_) {
     roots_.emplace();
@@ -110,7 +118,8 @@ Result<Files::Found> Files::load(std::string_view name, SourceFile const* from) 
     fs::path const path = folder / fs::path(name);
     auto file = read_file(path);
     if (file) {
-      if (auto error = forbidden(name, file->place)) return *error;
+      if (auto error = forbidden(name, file->place); error && !installed(folder, path))
+        return *error;
       return Found{path, std::move(file->text)};
     }
     std::error_code failed;

@@ -99,6 +99,7 @@ private:
     bool read_back = false;
   };
   std::vector<std::filesystem::path> folders(SourceFile const* from) const;
+  bool installed(std::filesystem::path const& folder, std::filesystem::path const& path) const;
   std::optional<Error> forbidden(std::string_view name, std::filesystem::path const& place) const;
   SourceFile const* source_of(Found&&);
   Written* find_written(std::string_view name);

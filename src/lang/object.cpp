@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 #include "lang/blocks.hpp"
+#include "lang/file_shapes.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +93,7 @@ Object only_light(Reader& in) {
 } // namespace
 
 bool is_object_head(std::string_view head) {
-  return head == "object" || csg_kind(head) || find_shape(head);
+  return head == "object" || csg_kind(head) || find_shape(head) || find_file_shape(head);
 }
 
 namespace {
@@ -100,6 +101,10 @@ namespace {
 /// What stands in the block before the modifiers.
 Object read_body(Reader& in, std::string_view head) {
   if (auto const* shape = find_shape(head)) return read_shape(in, *shape);
+  if (auto const* shape = find_file_shape(head)) {
+    auto named = in.accept_value<Object>();
+    return named ? *named : shape->read(in);
+  }
   if (auto kind = csg_kind(head)) return read_csg(in, *kind);
   return read_wrapped(in);
 }

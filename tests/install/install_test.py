@@ -68,7 +68,7 @@ def check_package(build: pathlib.Path, folder: pathlib.Path) -> None:
     packages = {path.name.split('_')[0]: path for path in folder.glob('*.deb')}
     assert sorted(packages) == ['abbe', 'libabbe-dev'], packages
     depends = run('dpkg-deb', '-f', packages['abbe'], 'Depends')
-    for library in ('libc6', 'libstdc++6', 'libtbb', 'libpng', 'libtiff', 'libopenexr', 'libfmt'):
+    for library in ('libc6', 'libstdc++6', 'libtbb', 'libpng', 'libtiff', 'libfreetype', 'libopenexr', 'libfmt'):
         assert library in depends, f'{library} is not among: {depends}'
     assert '-dev' not in depends, depends
     root = folder / 'root'

@@ -3,7 +3,6 @@
 
 #include "geometry/kernels.hpp"
 #include "geometry/shapes/convex_prism.hpp"
-#include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -176,93 +175,6 @@ std::optional<PlacedShape> make_prism(std::vector<Prism::Contour> contours, doub
     return PlacedShape{std::make_shared<ConvexPrism>(contours.front(), open), placement};
   }
   return PlacedShape{std::make_shared<Prism>(contours, open), placement};
-}
-
-namespace {
-
-/// The points that are furthest apart where all are on a line.
-std::pair<Vec2, Vec2> ends_of(Prism::Contour const& contour) {
-  auto const before = [](Vec2 const& a, Vec2 const& b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  };
-  auto const [a, b] = std::minmax_element(contour.begin(), contour.end(), before);
-  return {*a, *b};
-}
-
-/// But for the rounding of decimal places.
-bool on_a_line(Prism::Contour const& contour) {
-  auto const [a, b] = ends_of(contour);
-  Vec2 const along = b - a;
-  double const most = 0x1p-40 * glm::dot(along, along);
-  return std::all_of(contour.begin(), contour.end(), [&, from = a](Vec2 const& p) {
-    Vec2 const to = p - from;
-    return std::fabs(lane::difference_of_products(along.x, to.y, along.y, to.x)) <= most;
-  });
-}
-
-/// A prism without a volume, as POV-Ray draws it: its outlines where its heights are the same, else
-/// a wall where the points of its one outline are on a line.
-std::optional<PlacedShape> flat_prism(std::vector<Prism::Contour> const& contours, double y1,
-                                      double y2, bool open) {
-  std::vector<std::vector<Vec3>> outlines;
-  if (y1 == y2 && !open) {
-    for (Prism::Contour const& contour : contours)
-      for (auto& outline = outlines.emplace_back(); Vec2 const& p : contour)
-        outline.push_back({p.x, y1, p.y});
-  } else if (y1 != y2 && contours.size() == 1) {
-    auto const [a, b] = ends_of(contours[0]);
-    outlines = {{{a.x, y1, a.y}, {b.x, y1, b.y}, {b.x, y2, b.y}, {a.x, y2, a.y}}};
-  }
-  return make_polygon(outlines, Vec3(0, 1, 0));
-}
-
-} // namespace
-
-std::optional<PlacedShape> read_prism(Parameters& parameters) {
-  bool supported = true;
-  auto const kind = [&] {
-    for (std::string_view const word : {"linear_spline", "quadratic_spline", "cubic_spline",
-                                        "bezier_spline", "linear_sweep", "conic_sweep"}) {
-      if (!parameters.accept(word)) continue;
-      supported = supported && word.starts_with("linear");
-      return true;
-    }
-    return false;
-  };
-  while (kind()) {
-  }
-  double const y1 = parameters.number("first height"), y2 = parameters.number("second height");
-  int const count = parameters.integer("number of points", 3, 1 << 24);
-  std::vector<Prism::Contour> contours(1);
-  bool closed = false;
-  for (int i = 0; i < count; ++i) {
-    if (i > 0 && !parameters.has_value()) {
-      parameters.report(Severity::Error, "E0616",
-                        "this prism has fewer points than its number of points says");
-      return std::nullopt;
-    }
-    Vec2 const point = parameters.vec2("point");
-    if (closed) contours.emplace_back();
-    Prism::Contour& contour = contours.back();
-    closed = !contour.empty() && contour.front() == point;
-    if (!closed) contour.push_back(point);
-  }
-  bool const open = parameters.flag("open").value_or(false);
-  (void)parameters.flag("sturm");
-  if (!supported) {
-    parameters.report(Severity::Error, "E0901",
-                      "only linear_spline prisms with linear_sweep are supported yet");
-    return std::nullopt;
-  }
-  if (y1 == y2 || std::all_of(contours.begin(), contours.end(), on_a_line)) {
-    auto flat = flat_prism(contours, y1, y2, open);
-    if (!flat) return left_out(parameters, "E0609", "a prism without walls and lids is not drawn");
-    parameters.report(Severity::Warning, "E0609",
-                      "this prism is flat: it is drawn as a patch and has no inside");
-    return flat;
-  }
-  return or_report(make_prism(std::move(contours), y1, y2, open), parameters, "E0609",
-                   "a prism needs finite heights and outlines of three or more points");
 }
 
 } // namespace abbe::geometry

@@ -9,19 +9,24 @@
 
 namespace abbe::geometry {
 
-/** @scene prism { [linear_spline] [linear_sweep] y1, y2, n, <x, z> ... [open] }
-A polygon in the xz plane, drawn out along y. Several polygons may follow each other, each closed by
-repeating its first point; where an even number of them overlap there is a hole. `open` leaves the
-two lids out.
+/** @scene prism { [linear_spline | quadratic_spline | cubic_spline | bezier_spline] [linear_sweep |
+conic_sweep] y1, y2, n, <x, z> ... [open] [sturm] }
+A curve in the xz plane, drawn out along y, or (conic_sweep) to the origin, so that it is as given
+at y = 1. Several outlines may follow each other, each closed by repeating its first point; where
+an even number of them overlap there is a hole. A quadratic_spline has one point more in front of
+each outline, a cubic_spline one in front and one behind: these give slopes only. A bezier_spline
+has four points a piece. `open` leaves the two lids out; `sturm` has no effect.
 
 | name | type | unit | default | range |
 |---|---|---|---|---|
-| y1, y2 | numbers | length | - | different |
-| n | integer | - | - | 3 or more |
+| y1, y2 | numbers | length | - | any; the same: a patch |
+| n | integer | - | - | 3 (linear), 5 (quadratic), 6 (cubic), 4 (bezier) or more |
 | <x, z> | n 2-vectors | length | - | any |
 
     prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }
 */
+/// A prism of straight lines and a linear sweep; others are a SplinePrism.
+///
 /// Canonical form: -1 <= y <= 1, the points about the origin. Faces: 0 lid at y = -1, 1 lid at y =
 /// 1, 2 + k edge k. A line is compared with each corner once, so that no line slips between two
 /// edges.

@@ -99,6 +99,8 @@ TEST(Reading, GoodShapesReadAllOfTheirParameters) {
       {"triangle", "<0,0,0> <1,0,0> <0,1,0>"},
       {"smooth_triangle", "<0,0,0> <0,0,1> <1,0,0> <0,0,1> <0,1,0> <0,0,2>"},
       {"prism", "linear_sweep linear_spline 0 1 4 <0,0> <1,0> <0,1> <0,0> open"},
+      {"prism", "conic_sweep 0 1 3 <0,0> <1,0> <0,1>"},
+      {"prism", "cubic_spline 0 1 6 <0,1> <0,0> <1,0> <0,1> <0,0> <1,0> sturm open"},
       {"mesh", "triangle { <0,0,0> <1,0,0> <0,1,0> uv_vectors <0,0> <1,0> <0,1> texture } "
                "smooth_triangle { <0,0,0> <0,0,1> <1,0,0> <0,0,1> <0,1,0> <0,0,2> } "
                "inside_vector <0,0,1>"},
@@ -137,7 +139,8 @@ TEST(Reading, BadParametersAreReportedByCode) {
       {"lathe", "2 <1,0> <1,0>", "WE0624 "},
       {"smooth_triangle", "<0,0,0> <0,0,1> <1,0,0> <0,0,1> <0,1,0> <0,0,-1>", "WE0610 "},
       {"prism", "0 1 5 <0,0> <1,0> <0,1>", "E0616 "},
-      {"prism", "conic_sweep 0 1 3 <0,0> <1,0> <0,1>", "E0901 "},
+      {"prism", "quadratic_spline 0 1 5 <1,0> <1,0> <0,1> <0,0> <2,2>", "E0633 "},
+      {"prism", "bezier_spline 0 1 5 <1,0> <1,0> <0,1> <0,0> <2,2>", "E0623 "},
       {"triangle", "<0,0,0> <1,0,0> <2,0,0>", "WE0610 "},
       {"mesh", "inside_vector <0,0,1>", "E0615 "},
       {"mesh2", "vertex_vectors { 3 <0,0,0> <1,0,0> <0,1,0> } face_indices { 1 <0,1,3> }",

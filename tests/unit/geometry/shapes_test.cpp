@@ -16,6 +16,7 @@
 #include "geometry/shapes/sor.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/sphere_sweep.hpp"
+#include "geometry/shapes/spline_prism.hpp"
 #include "geometry/shapes/superellipsoid.hpp"
 #include "geometry/shapes/torus.hpp"
 #include "scene.hpp"
@@ -90,7 +91,54 @@ Quad beside(Vec2 a, Vec2 b, Quad r, Quad y) {
   return (r - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x);
 }
 
+void add_prisms(std::vector<Sample>& all, double s) {
+  using Sweep = SplinePrism::Sweep;
+  // Between two parabolas: |z| = s - x^2 / s; the walls of the second one go through the origin.
+  auto const lens = [](double r) {
+    return Outline{bezier_piece({{-r, 0}, {0, 2 * r}, {r, 0}}),
+                   bezier_piece({{r, 0}, {0, -2 * r}, {-r, 0}})};
+  };
+  all.push_back(
+      {"quadratic prism", *make_spline_prism({lens(s)}, Sweep::Linear, -s, s, false),
+       [s](Quad x, Quad y, Quad z) { return larger(size_of(y) - s, size_of(z) + x * x / s - s); }});
+  all.push_back({"conic prism", *make_spline_prism({lens(1)}, Sweep::Conic, s, -.5 * s, false),
+                 [s](Quad x, Quad y, Quad z) {
+                   Quad const h = size_of(y);
+                   Quad const wall = h > 0 ? size_of(z) + x * x / h - h : Quad(1);
+                   return larger(larger(-.5 * s - y, y - s), wall);
+                 }});
+  // Between z = x^3 and z = x, with a hole: three quarters of the way between them.
+  Outline const horn{bezier_piece({{0, 0}, {s / 3, 0}, {2 * s / 3, 0}, {s, s}}),
+                     bezier_piece({{s, s}, {0, 0}})};
+  Outline const inner{bezier_piece({{0, 0}, {s / 3, s / 4}, {2 * s / 3, s / 2}, {s, s}}),
+                      bezier_piece({{s, s}, {0, 0}})};
+  all.push_back({"cubic prism", *make_spline_prism({horn, inner}, Sweep::Linear, -s, s, false),
+                 [s](Quad x, Quad y, Quad z) {
+                   Quad const low = x * x * x / (Quad(s) * s), high = .25 * low + .75 * x;
+                   Quad const beside = larger(low - z, z - high);
+                   return larger(larger(size_of(y) - s, beside), larger(-x, x - s));
+                 }});
+  // Two squares that overlap, by the sense in which they go round: their union.
+  auto const square_at = [s](double x, double z) {
+    double const r = .5 * s;
+    Vec2 const a(x - r, z - r), b(x + r, z - r), c(x + r, z + r), d(x - r, z + r);
+    return Outline{bezier_piece({a, b}), bezier_piece({b, c}), bezier_piece({c, d}),
+                   bezier_piece({d, a})};
+  };
+  all.push_back({"united prism",
+                 *make_spline_prism({square_at(-.25 * s, -.25 * s), square_at(.25 * s, .25 * s)},
+                                    Sweep::Linear, -s, s, false, SplinePrism::Fill::NonZero),
+                 [s](Quad x, Quad y, Quad z) {
+                   auto const r = [&](Quad at) {
+                     return larger(size_of(x - at), size_of(z - at)) - .5 * s;
+                   };
+                   Quad const a = r(-.25 * s), b = r(.25 * s);
+                   return larger(size_of(y) - s, a < b ? a : b);
+                 }});
+}
+
 void add_curved(std::vector<Sample>& all, double s) {
+  add_prisms(all, s);
   all.push_back({"quartic", *make_polynomial(4, torus_quartic(s)), [s](Quad x, Quad y, Quad z) {
                    Quad const sum = x * x + y * y + z * z + .75 * s * s;
                    return (sum * sum - 4 * s * s * (x * x + z * z)) / (s * s * s * s);
