@@ -98,6 +98,8 @@ bool is_object_head(std::string_view head);
 std::optional<scene::Object> accept_object(Reader&);
 /// Takes one object modifier (translate, texture, hollow ...) when one is next.
 bool read_object_modifier(Reader&, scene::Object&);
+/// Height fields in what becomes part of a combination: what is below their box counts, too.
+void deepen(scene::Object&);
 /// Applies a transform to an object with all that is attached to it so far.
 void transform_object(scene::Object&, geometry::Transform const&);
 /// Inserts a copy of the object into the scene: see scene::Object for what that settles.

@@ -2,6 +2,7 @@
 #include "lang/attach.hpp"
 
 #include "geometry/shape.hpp"
+#include "geometry/shapes/height_field.hpp"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,16 @@ void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
       child.span);
 }
 
+} // namespace
+
+void deepen(Object& object) {
+  if (auto const* field = dynamic_cast<geometry::HeightField const*>(object.shape.get()))
+    if (!field->form().deep) object.shape = field->deepened();
+  for (Object& child : object.children) deepen(child);
+}
+
+namespace {
+
 /// Lights are no operands.
 void add(Object& object, Object&& child) {
   bool const light = child.kind == Object::Kind::Union && child.children.empty();
@@ -63,6 +74,7 @@ scene::Object read_csg(Reader& in, Object::Kind kind) {
   while (!in.at_end()) {
     if (auto child = accept_object(in)) {
       warn_about_patch(in, kind, *child);
+      if (kind != Object::Kind::Union) deepen(*child);
       add(object, std::move(*child));
     } else if (in.next() == Next::Block && skip_unsupported(in)) {
       failed = true;
@@ -141,6 +153,9 @@ void warn_about_interior(Reader& in, Object const& object) {
 void settle_leaf(Object& object, Inherited const& with, Reader& in) {
   if (!object.texture) object.texture = with.texture;
   if (!object.interior_texture) object.interior_texture = with.interior_texture;
+  if (auto const* field = dynamic_cast<geometry::HeightField const*>(object.shape.get());
+      field != nullptr && field->form().smooth)
+    object.shape = field->placed(object.placement.transform().inverse_linear);
   warn_about_interior(in, object);
   if (with.uv_mapping)
     for (scene::SharedLayers* const layers : {&object.texture, &object.interior_texture})

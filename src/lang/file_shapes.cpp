@@ -8,6 +8,7 @@ namespace abbe::lang {
 
 std::span<FileShape const> file_shapes() {
   static constexpr FileShape shapes[] = {
+      {"height_field", read_height_field},
       {"text", read_text_object},
   };
   return shapes;

@@ -21,6 +21,7 @@ std::span<FileShape const> file_shapes();
 FileShape const* find_file_shape(std::string_view keyword);
 
 // One file each.
+scene::Object read_height_field(Reader&);
 scene::Object read_text_object(Reader&);
 
 } // namespace abbe::lang

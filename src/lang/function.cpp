@@ -321,11 +321,32 @@ struct Machine {
   }
 };
 
+/// The two sizes of `function 100, 80 { ... }`.
+bool read_picture_size(ast::Function const& tree, Interpreter& in, FunctionValue& out) {
+  constexpr double most = 32768;
+  int sizes[2] = {0, 0};
+  bool good = tree.sizes.size() == 2;
+  for (std::size_t i = 0; good && i < 2; ++i) {
+    double const size = in.expressions.scalar(tree.sizes[i], "the size of a picture");
+    good = size >= 1 && size <= most;
+    if (good) sizes[i] = static_cast<int>(size);
+  }
+  if (!good)
+    in.error(
+        "E0318",
+        "a function that stands for a picture has a width and a height: 'function 100, 80 { ... }'",
+        tree.span);
+  out.picture_width = sizes[0];
+  out.picture_height = sizes[1];
+  return good;
+}
+
 } // namespace
 
 std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpreter& in) {
   auto function = std::make_shared<FunctionValue>();
   Compiler compiler(in, *function, tree);
+  if (!tree.sizes.empty() && !read_picture_size(tree, in, *function)) return nullptr;
   in.reader.enter_region(tree.body, tree.span);
   bool const made_of_block = in.reader.next() == Next::Block;
   if (made_of_block) read_block_function(in.reader, *function);

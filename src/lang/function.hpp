@@ -62,6 +62,8 @@ struct FunctionValue {
   std::function<Numeric(std::span<double const>)> block;
   bool vector = false;      ///< `block` yields a vector or colour
   bool calls_block = false; ///< it is made of one or calls such a function: has no bounds
+  /// Of `function 100, 80 { ... }`, which stands for a picture; else 0.
+  int picture_width = 0, picture_height = 0;
 };
 
 /// Compiles a function; nullptr after an error (reported).

@@ -12,9 +12,10 @@ void read_objects(Reader& in, Few<Object>& into, std::string_view where) {
   std::size_t const before = into.size();
   bool rejected = false;
   while (!in.at_end()) {
-    if (auto object = accept_object(in))
+    if (auto object = accept_object(in)) {
+      deepen(*object);
       into.push_back(std::move(*object));
-    else {
+    } else {
       reject(in, "an object");
       rejected = true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/registry.hpp"
 
+#include "geometry/shapes/bicubic_patch.hpp"
 #include "geometry/shapes/blob.hpp"
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/cone.hpp"
@@ -24,6 +25,7 @@ namespace abbe::geometry {
 
 std::span<ShapeKind const> shape_kinds() {
   static constexpr ShapeKind kinds[] = {
+      {"bicubic_patch", read_bicubic_patch},
       {"blob", read_blob},
       {"box", read_box},
       {"cone", read_cone},

@@ -81,6 +81,7 @@ std::optional<TriangleHit> hit_triangle(ShearedLine const& line, Vec3 const& a, 
   hit.slack = glm::dot(size, line.slack) / std::fabs(speed);
   if (!(hit.slack >= 0)) hit.slack = 0;
   hit.against_normal = speed < 0;
+  hit.downward = (u.sign > 0) != (line.direction[line.kz] > 0);
   return hit;
 }
 

@@ -26,6 +26,7 @@ struct ShearedLine {
 struct TriangleHit {
   double t = 0, error = 0, slack = 0;
   bool against_normal = false; ///< the direction is against the normal (b - a) x (c - a)
+  bool downward = false;       ///< the same, by the exact signs of the edges
 };
 std::optional<TriangleHit> hit_triangle(ShearedLine const& line, Vec3 const& a, Vec3 const& b,
                                         Vec3 const& c);

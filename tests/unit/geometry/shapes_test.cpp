@@ -6,6 +6,7 @@
 #include "geometry/shapes/cone.hpp"
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/disc.hpp"
+#include "geometry/shapes/height_field.hpp"
 #include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/shapes/plane.hpp"
@@ -137,8 +138,35 @@ void add_prisms(std::vector<Sample>& all, double s) {
                  }});
 }
 
+/// 7 by 6 points, above water at 1/8, in a box of the size s.
+void add_height_field(std::vector<Sample>& all, double s) {
+  HeightGrid grid{7, 6, {}};
+  for (int i = 0; i < 42; ++i)
+    grid.heights.push_back(static_cast<std::uint16_t>((i * i * 7919 + 131 * i) % 65536));
+  auto const value = [s, grid](Quad x, Quad y, Quad z) {
+    Quad const u = (x / s + .5) * 6, v = (z / s + .5) * 5, h = y / s + .5;
+    auto const cell = [](Quad at, int most) {
+      int const whole = static_cast<int>(at);
+      return whole < 0 ? 0 : (whole > most ? most : whole);
+    };
+    int const i = cell(u, 5), j = cell(v, 4);
+    Quad const a = u - i, b = v - j;
+    auto const at = [&](int di, int dj) { return Quad(grid.at(i + di, j + dj)) / 65536; };
+    Quad const height =
+        a + b < 1 ? at(0, 0) + a * (at(1, 0) - at(0, 0)) + b * (at(0, 1) - at(0, 0))
+                  : at(1, 1) + (1 - a) * (at(0, 1) - at(1, 1)) + (1 - b) * (at(1, 0) - at(1, 1));
+    Quad const sides = larger(size_of(x) - s / 2, size_of(z) - s / 2) / s;
+    return larger(larger(h - height, .125 - h), sides);
+  };
+  auto shape = *make_height_field(grid, false, .125);
+  shape.placement =
+      shape.placement.then(Transform::translation(Vec3(-.5))).then(Transform::scaling(Vec3(s)));
+  all.push_back({"height field", shape, value});
+}
+
 void add_curved(std::vector<Sample>& all, double s) {
   add_prisms(all, s);
+  add_height_field(all, s);
   all.push_back({"quartic", *make_polynomial(4, torus_quartic(s)), [s](Quad x, Quad y, Quad z) {
                    Quad const sum = x * x + y * y + z * z + .75 * s * s;
                    return (sum * sum - 4 * s * s * (x * x + z * z)) / (s * s * s * s);
