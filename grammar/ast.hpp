@@ -273,7 +273,7 @@ struct Directive {
   bool open = false; ///< a #write whose ')' comes later: a Punctuation, in another branch of an #if
 };
 
-/// What may stand in a list: an expression, or one of these.
+/// An item of a list: an expression, or one of these.
 struct Item : OneOf<Expr, Word, LiteralVectors, Bracket, Punctuation, Text, Box<If>, Box<While>,
                     Box<For>, Box<Switch>, Box<Declare>, Box<Macro>, Box<Directive>> {
   using OneOf::OneOf;

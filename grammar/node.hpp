@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-/// What a node of the tree that is one of several kinds is made of.
+/// Box and OneOf: the parts of a node of the tree that is one of several kinds.
 namespace abbe::ast {
 
 /// Owns a T, which may be incomplete until one is made, and copies it with itself.

@@ -15,7 +15,7 @@
 /// In CMake: `find_package(abbe)`, `target_link_libraries(mine PRIVATE abbe::abbe)`.
 namespace abbe {
 
-/// What abbe has to say about a scene.
+/// A message of abbe about a scene.
 struct Message {
   enum class Kind {
     Error,   ///< there is no picture because of it

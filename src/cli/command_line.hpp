@@ -15,7 +15,7 @@ namespace abbe::cli {
 /// An option of a CommandLine, which owns it: says more about it, call by call.
 class Option {
 public:
-  /// What is wrong with a text, empty: nothing.
+  /// Returns the fault of a text; an empty one means that there is none.
   using Check = std::function<std::string(std::string const&)>;
 
   explicit Option(void* option) : option_(option) {}

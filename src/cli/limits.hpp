@@ -3,11 +3,12 @@
 
 #include <string>
 
-/// What bounds a run from outside its scene.
+/// These functions bound a run from outside its scene.
 namespace abbe::cli {
 
-/// What does not fit in memory would page without end, or be killed without a word: a failed
-/// allocation can be reported with its place. An eighth is left for the rest of the machine.
+/// Makes allocations fail beyond seven eighths of the machine's memory: a failed one can be
+/// reported with its place, while a run that does not fit would page without end or be killed
+/// without a word.
 void limit_memory_to_machine();
 
 /// "512M", "2G" or a number of bytes; K, M, G and T are powers of 1024. From now on allocations

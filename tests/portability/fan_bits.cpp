@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/fan.hpp"
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/cone.hpp"
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/torus.hpp"
+#include "tests/unit/geometry/fan_batch.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -76,13 +76,7 @@ void run() {
       lines.origin_error.set(k, Vec3(0));
     }
     std::vector<RayStart> const starts(lines.count);
-    auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
-    RayLines const rays{lines.count,
-                        arrays(lines.origin),
-                        arrays(lines.direction),
-                        arrays(lines.origin_error),
-                        starts.data(),
-                        nullptr};
+    RayLines const rays = batch_of(lines, starts.data());
     Hits hits;
     world.intersect(rays, 0xff, nullptr, *scratch, hits);
     for (std::size_t k = 0; k < lines.count; ++k) {

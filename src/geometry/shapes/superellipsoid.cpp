@@ -36,18 +36,7 @@ public:
     return joined(joined(v.x, v.y, p_), v.z, q_);
   }
   bool smooth() const override { return true; }
-  Vec3 gradient(Vec3 const& point) const override {
-    Vec3 const v = glm::abs(point);
-    double const ring = joined(v.x, v.y, p_), size = joined(ring, v.z, q_);
-    if (size == 0) return Vec3(0);
-    double const to_ring = ring > 0 ? simd::pow(ring / size, q_ - 1) : 0;
-    auto const share = [](double part, double whole, double k) {
-      return whole > 0 ? simd::pow(part / whole, k - 1) : 0.0;
-    };
-    return {std::copysign(share(v.x, ring, p_) * to_ring, point.x),
-            std::copysign(share(v.y, ring, p_) * to_ring, point.y),
-            std::copysign(share(v.z, size, q_), point.z)};
-  }
+  Vec3 gradient(Vec3 const& point) const override;
   Along along(Vec3 const& origin, Vec3 const& direction, Interval const& part) const override {
     Interval v[3];
     Vec3 low, high;
@@ -93,6 +82,45 @@ private:
   double p_, q_;
 };
 
+/// The size at a point of places >= 0, and how it grows with each of them.
+template <class L>
+struct Grown {
+  L size;
+  lane::Vec<L> share;
+};
+
+template <class L>
+static Grown<L> grown(lane::Vec<L> const& v, double p, double q) {
+  L const zero(0.0), one(1.0);
+  struct Pair {
+    L size, of_a, of_b;
+  };
+  // (a^k + b^k)^(1/k) = most (1 + u)^(1/k), u = (least / most)^k.
+  auto const joined_pair = [&](L const& a, L const& b, double k) {
+    auto const first = b <= a;
+    L const most = lane::select(first, a, b);
+    L const ratio = lane::select(most == zero, zero, lane::select(first, b, a) / most);
+    L const u = lane::exp(L(k) * lane::log(ratio)), whole = one + u;
+    L const root = lane::exp(lane::log(whole) * L(1 / k));
+    L const of_most = root / whole; // (most / joined)^(k - 1)
+    L const at_zero(k > 1 ? 0.0 : k == 1 ? 1.0 : infinity);
+    L const of_least = lane::select(ratio == zero, at_zero, of_most * u / ratio);
+    return Pair{most * root, lane::select(first, of_most, of_least),
+                lane::select(first, of_least, of_most)};
+  };
+  Pair const ring = joined_pair(v.x, v.y, p), all = joined_pair(ring.size, v.z, q);
+  return {all.size, {ring.of_a * all.of_a, ring.of_b * all.of_a, all.of_b}};
+}
+
+Vec3 Superellipsoid::Size::gradient(Vec3 const& point) const {
+  Vec3 const v = glm::abs(point);
+  if (v == Vec3(0)) return v;
+  if (v.x == 0 && v.y == 0) return {0, 0, std::copysign(1.0, point.z)};
+  auto const share = grown<double>({v.x, v.y, v.z}, p_, q_).share;
+  return {std::copysign(share.x, point.x), std::copysign(share.y, point.y),
+          std::copysign(share.z, point.z)};
+}
+
 /// How far the size is above 1, and how that changes along a line.
 template <class L>
 struct Superellipsoid::Local {
@@ -102,28 +130,14 @@ struct Superellipsoid::Local {
 template <class L>
 Superellipsoid::Local<L> Superellipsoid::local(lane::Vec<L> const& point,
                                                lane::Vec<L> const& direction) const {
-  L const zero(0.0), one(1.0);
-  struct Part {
-    L size, slope; ///< of a side that is at least 0
+  L const zero(0.0);
+  Grown<L> const here = grown(lane::abs(point), p_, q_);
+  auto const along = [&](L const& place, L const& speed, L const& share) {
+    return share * lane::select(place < zero, -speed, speed);
   };
-  auto const side = [&](L const& place, L const& speed) {
-    return Part{lane::abs(place), lane::select(place < zero, -speed, speed)};
-  };
-  // (a^k + b^k)^(1/k) = most (1 + u)^(1/k), u = (least / most)^k.
-  auto const joined = [&](Part const& a, Part const& b, double k) {
-    auto const first = b.size <= a.size;
-    L const most = lane::select(first, a.size, b.size);
-    L const ratio = lane::select(most == zero, zero, lane::select(first, b.size, a.size) / most);
-    L const u = lane::exp(L(k) * lane::log(ratio)), whole = one + u;
-    L const root = lane::exp(lane::log(whole) * L(1 / k));
-    L const of_most = root / whole; // (most / joined)^(k - 1)
-    L const of_least = lane::select(ratio == zero, L(k == 1 ? 1.0 : 0.0), of_most * u / ratio);
-    return Part{most * root, lane::select(first, of_most, of_least) * a.slope
-                                 + lane::select(first, of_least, of_most) * b.slope};
-  };
-  Part const ring = joined(side(point.x, direction.x), side(point.y, direction.y), p_);
-  Part const all = joined(ring, side(point.z, direction.z), q_);
-  return {all.size - one, all.slope};
+  return {here.size - L(1.0), along(point.x, direction.x, here.share.x)
+                                  + along(point.y, direction.y, here.share.y)
+                                  + along(point.z, direction.z, here.share.z)};
 }
 
 template <class L>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kernels one by one: what a ray asks of the world, and an interface of a ray. `ninja
 // bench_kernels`.
-#include "geometry/fan.hpp"
 #include "geometry/shapes/box.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/prism.hpp"
@@ -9,6 +8,7 @@
 #include "geometry/shapes/torus.hpp"
 #include "geometry/world.hpp"
 #include "optics/refract.hpp"
+#include "tests/unit/geometry/fan_batch.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -102,17 +102,11 @@ void closest_fan(benchmark::State& state, World const& world) {
     }
   }
   std::vector<RayStart> const starts(fan_width);
-  auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
   Hits hits;
   std::size_t i = 0;
   for (auto _ : state) {
     FanLines& fan = fans[i++ % fans.size()];
-    RayLines const lines{fan_width,
-                         arrays(fan.origin),
-                         arrays(fan.direction),
-                         arrays(fan.origin_error),
-                         starts.data(),
-                         nullptr};
+    RayLines const lines = batch_of(fan, starts.data());
     world.intersect(lines, 0xff, nullptr, *scratch, hits);
     benchmark::DoNotOptimize(hits);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/fan.hpp"
 #include "geometry/line.hpp"
+#include "tests/unit/geometry/fan_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,13 +61,7 @@ inline FanCounts compare_fan(World const& world, FanLines& lines, Departure cons
     groups.add().members = from->on;
     for (RayStart& start : starts) start = {0, 0, RayStart::Kind::Group, false, from->through};
   }
-  auto const arrays = [](FanVectors& v) { return VectorArrays{v.x, v.y, v.z}; };
-  RayLines const rays{lines.count,
-                      arrays(lines.origin),
-                      arrays(lines.direction),
-                      arrays(lines.origin_error),
-                      starts.data(),
-                      &groups};
+  RayLines const rays = batch_of(lines, starts.data(), &groups);
   Hits hits;
   world.intersect(rays, 0xff, nullptr, scratch, hits);
   std::vector<std::uint8_t> blocked(lines.count);
