@@ -19,7 +19,7 @@ set_target_properties(abbe_archive PROPERTIES OUTPUT_NAME abbe EXPORT_NAME abbe 
 target_include_directories(abbe_archive INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(abbe_archive INTERFACE cxx_std_17)
-target_link_libraries(abbe_archive INTERFACE fmt::fmt OpenEXR::OpenEXR PNG::PNG TIFF::TIFF Freetype::Freetype TBB::tbb
+target_link_libraries(abbe_archive INTERFACE fmt::fmt OpenEXR::OpenEXR PNG::PNG TIFF::TIFF JPEG::JPEG Freetype::Freetype TBB::tbb
   Threads::Threads ${CMAKE_DL_LIBS})
 
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/abbe)
@@ -53,5 +53,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libabbe-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # The library needs the program's stdlib, and who links it the libraries behind it.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "abbe (= ${PROJECT_VERSION}), libfmt-dev, libopenexr-dev, libpng-dev, libtiff-dev, libfreetype-dev, libtbb-dev")
+  "abbe (= ${PROJECT_VERSION}), libfmt-dev, libopenexr-dev, libpng-dev, libtiff-dev, libjpeg-dev, libfreetype-dev, libtbb-dev")
 include(CPack)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/colour.hpp"
 #include "image/exr_header.hpp"
+#include "image/exr_stream.hpp"
 #include "image/input_file.hpp"
 #include "image/io.hpp"
 #include "image/spectral_layout.hpp"
@@ -11,6 +12,7 @@
 #include <ImfInputFile.h>
 #include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <algorithm>
 #include <fmt/format.h>
@@ -106,12 +108,9 @@ Status read_attributes(std::filesystem::path const& path, Imf::Header const& hea
 
 } // namespace
 
-Result<Image> read_exr(std::filesystem::path const& path) {
-  Result<InputFile> opened = open_input(path);
-  if (!opened) return opened.error();
-  if (Status const sane = check_exr_header(path, *opened); !sane) return sane.error();
+Result<Image> read_exr_stream(Imf::IStream& stream, std::filesystem::path const& path) {
   try {
-    Imf::InputFile file(path.c_str());
+    Imf::InputFile file(stream);
     Imf::Header const& header = file.header();
     if (!file.isComplete()) return damaged(path, "it breaks off before its last pixel");
     Result<Contents> contents = contents_of(path, header.channels());
@@ -130,6 +129,18 @@ Result<Image> read_exr(std::filesystem::path const& path) {
     if (Status const valid = validate(image); !valid) return damaged(path, valid.error().message);
     return image;
   } catch (std::exception const& failure) { // Iex exceptions and bad_alloc
+    return damaged(path, failure.what());
+  }
+}
+
+Result<Image> read_exr(std::filesystem::path const& path) {
+  Result<InputFile> opened = open_input(path);
+  if (!opened) return opened.error();
+  if (Status const sane = check_exr_header(path, *opened); !sane) return sane.error();
+  try {
+    Imf::StdIFStream stream(path.c_str());
+    return read_exr_stream(stream, path);
+  } catch (std::exception const& failure) {
     return damaged(path, failure.what());
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "image/bytes.hpp"
 #include "image/texels.hpp"
 
 #include <algorithm>
@@ -6,26 +7,10 @@
 namespace abbe::image {
 namespace {
 
-/// The bytes of a GIF file; past the end there are zeros, and it is noted.
-struct Bytes {
-  std::string_view bytes;
-  std::size_t at = 0;
-  bool too_short = false;
-  unsigned next() {
-    if (at < bytes.size()) return static_cast<unsigned char>(bytes[at++]);
-    too_short = true;
-    return 0;
-  }
-  unsigned two() {
-    unsigned const low = next();
-    return low | next() << 8;
-  }
-};
-
 /// The sub-blocks that follow, as one.
 std::string blocks(Bytes& in) {
   std::string out;
-  for (unsigned size = in.next(); size != 0 && !in.too_short; size = in.next())
+  for (unsigned size = in.next(); size != 0 && !in.too_short(); size = in.next())
     for (; size > 0; --size) out += static_cast<char>(in.next());
   return out;
 }
@@ -105,13 +90,13 @@ void place(Texels& out, std::vector<std::uint16_t> const& numbers, Palette const
 } // namespace
 
 Result<Texels> read_gif_texels(std::string_view bytes, std::string const& name) {
-  Bytes in{bytes, 10};
+  Bytes in(bytes, 10);
   unsigned const flags = in.next();
-  in.two();
+  in.little16();
   Palette palette;
   if ((flags & 0x80) != 0) palette = palette_of(in, flags);
   int transparent = -1;
-  while (!in.too_short) {
+  while (!in.too_short()) {
     unsigned const mark = in.next();
     if (mark == 0x21) {
       bool const control = in.next() == 0xf9;
@@ -121,13 +106,13 @@ Result<Texels> read_gif_texels(std::string_view bytes, std::string const& name) 
       continue;
     }
     if (mark != 0x2c) break;
-    in.two();
-    in.two();
-    unsigned const width = in.two(), height = in.two(), own = in.next();
+    in.little16();
+    in.little16();
+    unsigned const width = in.little16(), height = in.little16(), own = in.next();
     if ((own & 0x80) != 0) palette = palette_of(in, own);
     unsigned const least = in.next();
     std::string const packed = blocks(in);
-    if (in.too_short || least < 2 || least > 8) break;
+    if (in.too_short() || least < 2 || least > 8) break;
     // A code of 12 bits stands for 4096 pixels at most.
     if (static_cast<double>(width) * height > 4096.0 * static_cast<double>(packed.size()))
       return damaged_texels(name, "it is too short for its size");
@@ -136,6 +121,7 @@ Result<Texels> read_gif_texels(std::string_view bytes, std::string const& name) 
     std::size_t const count = std::size_t{width} * height;
     auto const numbers = unpack(packed, least, count);
     if (numbers.size() < count) break;
+    out->default_gamma = -1;
     out->has_alpha = transparent >= 0;
     place(*out, numbers, palette, transparent, (own & 0x40) != 0);
     return out;

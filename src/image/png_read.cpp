@@ -2,63 +2,46 @@
 #include "image/colour.hpp"
 #include "image/input_file.hpp"
 #include "image/io.hpp"
-#include "image/png_guard.hpp"
+#include "image/png_reader.hpp"
 
 #include <cmath>
-#include <cstring>
 
 namespace abbe::image {
 namespace {
 
-struct Reader {
-  PngErrors errors;
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-
-  Reader() = default;
-  Reader(Reader const&) = delete;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-};
-
-/// Does every chunk lie within the file? libpng allocates what a chunk claims before it reads, and
-/// its own limit is a warning.
+/// @see png_chunks_fit
 bool chunks_fit(InputFile const& file) {
-  for (std::uint64_t at = 8; at + 8 <= file.size;) {
-    png_byte head[8];
-    if (::fseeko(file.stream.get(), static_cast<off_t>(at), SEEK_SET) != 0
-        || std::fread(head, 1, sizeof head, file.stream.get()) != sizeof head)
-      return false;
-    std::uint64_t const length = png_get_uint_32(head);
-    if (std::memcmp(head + 4, "IEND", 4) == 0) break;
-    if (length + 12 > file.size - at) return false;
-    at += length + 12;
-  }
-  std::rewind(file.stream.get());
-  return true;
+  std::FILE* const stream = file.stream.get();
+  bool const fit = png_chunks_fit(file.size, [&](std::uint64_t at, png_byte* head) {
+    return ::fseeko(stream, static_cast<off_t>(at), SEEK_SET) == 0
+           && std::fread(head, 1, 8, stream) == 8;
+  });
+  std::rewind(stream);
+  return fit;
 }
 
 /// Header and ancillary chunks; then asks for RGB or RGBA of 8 or 16 bits.
-void begin(Reader& reader, std::FILE* stream) {
-  png_structp const png = reader.png;
+void begin(PngReader const& reader, std::FILE* stream) {
+  png_structp const png = reader.png();
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_init_io(png, stream);
-  png_read_info(png, reader.info);
+  png_read_info(png, reader.info());
 }
 
-void expand(Reader& reader) {
-  png_structp const png = reader.png;
+void expand(PngReader const& reader) {
+  png_structp const png = reader.png();
   png_set_expand(png);
   png_set_gray_to_rgb(png);
   png_set_interlace_handling(png);
-  png_read_update_info(png, reader.info);
+  png_read_update_info(png, reader.info());
 }
 
 /// Code value to linear light for this file.
-std::vector<double> curve_of(Reader const& reader, int bits) {
+std::vector<double> curve_of(PngReader const& reader, int bits) {
   double file_gamma = 0;
-  bool const power_law = !png_get_valid(reader.png, reader.info, PNG_INFO_sRGB)
-                         && !png_get_valid(reader.png, reader.info, PNG_INFO_iCCP)
-                         && png_get_gAMA(reader.png, reader.info, &file_gamma) != 0
+  bool const power_law = !png_get_valid(reader.png(), reader.info(), PNG_INFO_sRGB)
+                         && !png_get_valid(reader.png(), reader.info(), PNG_INFO_iCCP)
+                         && png_get_gAMA(reader.png(), reader.info(), &file_gamma) != 0
                          && file_gamma > 0;
   std::vector<double> curve(std::size_t{1} << bits);
   for (std::size_t code = 0; code < curve.size(); ++code) {
@@ -90,10 +73,10 @@ void decode(std::vector<png_byte> const& bytes, int bits, std::vector<double> co
   }
 }
 
-void read_texts(Reader const& reader, Image& image) {
+void read_texts(PngReader const& reader, Image& image) {
   png_textp texts = nullptr;
   int count = 0;
-  png_get_text(reader.png, reader.info, &texts, &count);
+  png_get_text(reader.png(), reader.info(), &texts, &count);
   for (int t = 0; t < count; ++t)
     if (texts[t].key && texts[t].text) image.metadata.emplace_back(texts[t].key, texts[t].text);
 }
@@ -104,37 +87,30 @@ Result<Image> read_png(std::filesystem::path const& path) {
   Result<InputFile> file = open_input(path);
   if (!file) return file.error();
   if (!chunks_fit(*file)) return damaged(path, "it breaks off within a chunk");
-  Reader reader;
-  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.errors, PngErrors::on_error,
-                                      PngErrors::on_warning);
-  if (reader.png) reader.info = png_create_info_struct(reader.png);
-  if (!reader.info) return damaged(path, "no memory to read it");
-  auto const failed = [&] { return damaged(path, reader.errors.message); };
+  PngReader const reader;
+  auto const failed = [&] { return damaged(path, reader.message()); };
   std::FILE* const stream = file->stream.get();
-  if (!png_guarded(reader.png, [&] { begin(reader, stream); })) return failed();
+  if (!reader.guarded([&] { begin(reader, stream); })) return failed();
 
-  auto const width = png_get_image_width(reader.png, reader.info);
-  auto const height = png_get_image_height(reader.png, reader.info);
-  double const bits_per_pixel =
-      png_get_bit_depth(reader.png, reader.info) * png_get_channels(reader.png, reader.info);
-  // Deflate at its best makes 1032 bytes of one.
-  double const most = static_cast<double>(file->size) * 1032 * 8 / bits_per_pixel;
-  if (Status const sane = check_size(path, width, height, most); !sane) return sane.error();
+  auto const width = png_get_image_width(reader.png(), reader.info());
+  auto const height = png_get_image_height(reader.png(), reader.info());
+  if (Status const sane = check_size(path, width, height, reader.most_pixels(file->size)); !sane)
+    return sane.error();
 
-  if (!png_guarded(reader.png, [&] { expand(reader); })) return failed();
-  int const bits = png_get_bit_depth(reader.png, reader.info);
-  std::size_t const row_bytes = png_get_rowbytes(reader.png, reader.info);
+  if (!reader.guarded([&] { expand(reader); })) return failed();
+  int const bits = png_get_bit_depth(reader.png(), reader.info());
+  std::size_t const row_bytes = png_get_rowbytes(reader.png(), reader.info());
   try {
     std::vector<png_byte> bytes(row_bytes * height);
     std::vector<png_bytep> rows(height);
     for (std::size_t y = 0; y < height; ++y) rows[y] = bytes.data() + y * row_bytes;
-    bool const read = png_guarded(reader.png, [&] {
-      png_read_image(reader.png, rows.data());
-      png_read_end(reader.png, reader.info);
+    bool const read = reader.guarded([&] {
+      png_read_image(reader.png(), rows.data());
+      png_read_end(reader.png(), reader.info());
     });
     if (!read) return failed();
     Image image = make_image(static_cast<int>(width), static_cast<int>(height));
-    if (png_get_channels(reader.png, reader.info) == 4) image.alpha.resize(image.pixels());
+    if (png_get_channels(reader.png(), reader.info()) == 4) image.alpha.resize(image.pixels());
     decode(bytes, bits, curve_of(reader, bits), image);
     read_texts(reader, image);
     return image;

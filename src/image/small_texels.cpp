@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "image/bytes.hpp"
 #include "image/texels.hpp"
 
 #include <algorithm>
@@ -9,58 +10,6 @@
 /// Formats that are a header and numbers: Netpbm, BMP, TGA, Radiance HDR.
 namespace abbe::image {
 namespace {
-
-/// Bytes one after another; past the end there are zeros, and it is noted.
-class Bytes {
-public:
-  explicit Bytes(std::string_view bytes, std::size_t at = 0) : bytes_(bytes), at_(at) {}
-  unsigned next() {
-    if (at_ < bytes_.size()) return static_cast<unsigned char>(bytes_[at_++]);
-    short_ = true;
-    return 0;
-  }
-  unsigned little16() {
-    unsigned const low = next();
-    return low | next() << 8;
-  }
-  std::uint32_t little32() {
-    unsigned const low = little16();
-    return low | little16() << 16;
-  }
-  void skip(std::size_t count) {
-    short_ = short_ || count > bytes_.size() - at_;
-    at_ = std::min(bytes_.size(), at_ + count);
-  }
-  void go_to(std::size_t at) {
-    short_ = short_ || at > bytes_.size();
-    at_ = std::min(bytes_.size(), at);
-  }
-  /// A number in letters, behind blanks and comments.
-  std::int64_t decimal() {
-    unsigned c = next();
-    while (!short_ && (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '#')) {
-      if (c == '#')
-        while (!short_ && c != '\n') c = next();
-      c = next();
-    }
-    std::int64_t value = 0;
-    if (c < '0' || c > '9') short_ = true;
-    for (; c >= '0' && c <= '9' && value < 1000000000; c = next()) value = value * 10 + (c - '0');
-    return value;
-  }
-  std::string line() {
-    std::string out;
-    for (unsigned c = next(); !short_ && c != '\n'; c = next()) out += static_cast<char>(c);
-    return out;
-  }
-  bool too_short() const { return short_; }
-  std::size_t left() const { return bytes_.size() - at_; }
-
-private:
-  std::string_view bytes_;
-  std::size_t at_;
-  bool short_ = false;
-};
 
 void set(Texels& out, std::int64_t x, std::int64_t y, double r, double g, double b) {
   float* const to = &out.rgba[4 * static_cast<std::size_t>(y * out.width + x)];
@@ -126,6 +75,7 @@ Result<Texels> read_bmp_texels(std::string_view bytes, std::string const& name) 
     return damaged_texels(name, "it breaks off");
   auto out = make_texels(width, height, name);
   if (!out) return out;
+  out->default_gamma = -1;
   std::vector<std::uint32_t> palette;
   if (bits <= 8) {
     if (colours == 0 || colours > 256) colours = std::size_t{1} << bits;
@@ -180,6 +130,7 @@ Result<Texels> read_tga_texels(std::string_view bytes, std::string const& name) 
     return damaged_texels(name, "it breaks off");
   auto out = make_texels(width, height, name);
   if (!out) return out;
+  out->default_gamma = -1;
   in.skip(note);
   struct Pixel {
     unsigned r = 0, g = 0, b = 0, a = 255, number = 0;
@@ -265,8 +216,8 @@ Result<Texels> read_hdr_texels(std::string_view bytes, std::string const& name) 
     for (std::size_t x = 0; x < columns; ++x) {
       double const scale =
           row[4 * x + 3] == 0 ? 0 : std::ldexp(1.0, static_cast<int>(row[4 * x + 3]) - 136);
-      set(*out, static_cast<std::int64_t>(x), y, row[4 * x] * scale, row[4 * x + 1] * scale,
-          row[4 * x + 2] * scale);
+      auto const light = [&](std::size_t part) { return (row[4 * x + part] + 0.5) * scale; };
+      set(*out, static_cast<std::int64_t>(x), y, light(0), light(1), light(2));
     }
   }
   return whole(std::move(out), in, name);

@@ -14,11 +14,14 @@ struct Format {
   Result<Texels> (*read)(std::string_view, std::string const&);
 };
 constexpr Format formats[] = {
-    {"\x89PNG", read_png_texels}, {"P2", read_netpbm_texels}, {"P3", read_netpbm_texels},
-    {"P5", read_netpbm_texels},   {"P6", read_netpbm_texels}, {"BM", read_bmp_texels},
-    {"GIF8", read_gif_texels},    {"#?R", read_hdr_texels},
+    {"\x89PNG", read_png_texels},       {"P2", read_netpbm_texels},
+    {"P3", read_netpbm_texels},         {"P5", read_netpbm_texels},
+    {"P6", read_netpbm_texels},         {"BM", read_bmp_texels},
+    {"GIF8", read_gif_texels},          {"#?R", read_hdr_texels},
+    {"\xff\xd8\xff", read_jpeg_texels}, {{"II*\0", 4}, read_tiff_texels},
+    {{"MM\0*", 4}, read_tiff_texels},   {{"II+\0", 4}, read_tiff_texels},
+    {{"MM\0+", 4}, read_tiff_texels},   {"v/1\x01", read_exr_texels},
 };
-constexpr std::string_view known_unread[] = {"\xff\xd8\xff", "II*", "MM", "v/1\x01"};
 
 } // namespace
 
@@ -41,18 +44,15 @@ Result<Texels> make_texels(std::int64_t width, std::int64_t height, std::string 
 Result<Texels> read_texels(std::string_view bytes, std::string const& name) {
   for (Format const& format : formats)
     if (bytes.starts_with(format.start)) return format.read(bytes, name);
-  for (std::string_view const start : known_unread)
-    if (bytes.starts_with(start))
-      return Error{"E0516", "'" + name
-                                + "' is a JPEG, TIFF or OpenEXR file, which textures do not read "
-                                  "yet: convert it to PNG"};
   // A TGA file has no mark at its start: its header must make sense.
   bool const ends_tga = bytes.size() > 18
                         && (bytes[2] == 1 || bytes[2] == 2 || bytes[2] == 3 || bytes[2] == 9
                             || bytes[2] == 10 || bytes[2] == 11);
   if (ends_tga) return read_tga_texels(bytes, name);
-  return Error{"E0512",
-               "'" + name + "' is no picture: PNG, GIF, BMP, TGA, PPM, PGM and HDR are known"};
+  return Error{
+      "E0512",
+      "'" + name
+          + "' is no picture: PNG, JPEG, TIFF, GIF, BMP, TGA, PPM, PGM, HDR and OpenEXR are known"};
 }
 
 } // namespace abbe::image

@@ -2,48 +2,21 @@
 #include "image/atomic_file.hpp"
 #include "image/colour.hpp"
 #include "image/input_file.hpp"
+#include "image/tiff_handle.hpp"
 #include "image/writer.hpp"
 
 #include <cerrno>
-#include <cstdarg>
 #include <fmt/format.h>
 #include <memory>
-#include <tiffio.h>
 #include <unistd.h>
 
 namespace abbe::image {
 namespace {
 
-/// What libtiff says, kept for the report: the first error, and errno at that time.
-struct TiffErrors {
-  std::string message;
-  int os_error = 0;
-
-  static int on_error(TIFF*, void* self, char const*, char const* format, va_list arguments) {
-    auto* errors = static_cast<TiffErrors*>(self);
-    if (!errors->message.empty()) return 1;
-    int const os_error = errno;
-    char text[500];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    errors->message = text;
-    errors->os_error = os_error;
-    return 1;
-  }
-  static int on_warning(TIFF*, void*, char const*, char const*, va_list) { return 1; }
-};
-
-struct Close {
-  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-using Tiff = std::unique_ptr<TIFF, Close>;
-
 /// libtiff closes its descriptor, so it gets one of its own.
 Tiff open_tiff(std::FILE* stream, std::filesystem::path const& path, char const* mode,
                TiffErrors& errors) {
-  std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> const options(TIFFOpenOptionsAlloc(),
-                                                                             TIFFOpenOptionsFree);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), TiffErrors::on_error, &errors);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), TiffErrors::on_warning, &errors);
+  TiffOptions const options = tiff_options(errors);
   int const descriptor = ::dup(::fileno(stream));
   if (descriptor < 0) return nullptr;
   ::lseek(descriptor, 0, SEEK_SET);

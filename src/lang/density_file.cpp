@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
 #include "lang/scene_patterns.hpp"
-#include "simd/math.hpp"
+#include "texture/catmull_rom.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +37,13 @@ std::optional<Voxels> unpack(std::string const& bytes) {
   return out;
 }
 
+/// A place along an axis: the file is repeated, and what stands before its first value is the one
+/// that POV-Ray's unsigned remainder finds there.
+int around(int place, int size) {
+  if (place < 0) return static_cast<int>(0xffffffffU % static_cast<unsigned>(size));
+  return place % size;
+}
+
 class DensityFile final : public texture::Pattern {
 public:
   explicit DensityFile(std::shared_ptr<Voxels const> voxels) : voxels_(std::move(voxels)) {}
@@ -50,32 +57,33 @@ public:
     }
     if (interpolate_ == 0)
       return value(static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2]));
-    double sum = 0;
-    int low[3];
-    double share[3];
+    // Shares of the values around the point: two an axis, or four.
+    int const first = interpolate_ == 2 ? -1 : 0, count = interpolate_ == 2 ? 4 : 2;
+    int place[3][4];
+    double share[3][4];
     for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = static_cast<int>(std::floor(at[axis]));
-      share[axis] = at[axis] - low[axis];
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1;
-      int place[3];
-      for (int axis = 0; axis < 3; ++axis) {
-        int const up = corner >> axis & 1;
-        weight *= up != 0 ? share[axis] : 1 - share[axis];
-        place[axis] = (low[axis] + up) % size[axis];
+      int const low = static_cast<int>(std::floor(at[axis]));
+      double const t = at[axis] - low;
+      if (count == 4) {
+        texture::catmull_rom(t, share[axis]);
+      } else {
+        share[axis][0] = 1 - t;
+        share[axis][1] = t;
       }
-      sum += weight * value(place[0], place[1], place[2]);
+      for (int k = 0; k < count; ++k) place[axis][k] = around(low + first + k, size[axis]);
     }
+    double sum = 0;
+    for (int z = 0; z < count; ++z)
+      for (int y = 0; y < count; ++y)
+        for (int x = 0; x < count; ++x)
+          sum += share[0][x] * share[1][y] * share[2][z]
+                 * value(place[0][x], place[1][y], place[2][z]);
     return sum;
   }
   std::shared_ptr<Pattern const> read_item(Parameters& in) const override {
-    Span const at = in.next_span();
     if (!in.accept("interpolate")) return nullptr;
     auto changed = std::make_shared<DensityFile>(*this);
     changed->interpolate_ = in.integer("interpolation", 0, 2);
-    if (changed->interpolate_ == 2)
-      in.report(Severity::Error, "E0901", "'interpolate 2' is not supported yet: 1 is", at);
     return changed;
   }
 

@@ -4,6 +4,8 @@
 #include "image/colour.hpp"
 #include "image/texels.hpp"
 #include "lang/blocks.hpp"
+#include "lang/function.hpp"
+#include "lang/scene_patterns.hpp"
 #include "simd/math.hpp"
 #include "texture/patterns/image.hpp"
 
@@ -36,11 +38,51 @@ Gamma gamma_of(Reader& in, Texels const& texels, double written, bool colours) {
   SceneState const& state = scene_state(in.interpreter());
   scene::Settings const& settings = state.scene.settings;
   bool const newer = state.effective_version >= 3.7;
+  double const usual = newer && texels.default_gamma != 0 ? texels.default_gamma : 0;
   Gamma out;
   out.working = settings.assumed_gamma_srgb ? -1 : settings.assumed_gamma.value_or(newer ? 1 : 0);
-  out.file = written != 0 ? written : texels.gamma != 0 ? texels.gamma : newer ? -1 : out.working;
+  out.file = written != 0        ? written
+             : texels.gamma != 0 ? texels.gamma
+             : usual != 0        ? usual
+                                 : out.working;
   if (out.file == out.working || (!colours && written == 0)) out.working = 0;
   return out;
+}
+
+/// The picture that a function is: its value at x and y from 0 to 1, the first row at y = 0, in the
+/// 16 bits of a code that POV-Ray keeps of it.
+std::optional<Texels> read_function(Reader& in) {
+  Span const at = in.next_span();
+  auto const function = std::get<std::shared_ptr<FunctionValue>>(in.identifier()->any);
+  in.take();
+  char const* wrong = nullptr;
+  if (!function->unsupported.empty())
+    in.report(Severity::Error, "E0901", function->unsupported, at);
+  else if (function->picture_width == 0)
+    wrong = "a function that is a picture has a size: 'function 100, 80 { ... }'";
+  else if (function->parameters != 3)
+    wrong = "a function that is a picture is one of x, y and z";
+  if (wrong) in.report(Severity::Error, "E0622", wrong, at);
+  if (wrong || !function->unsupported.empty()) return std::nullopt;
+  auto out = image::make_texels(function->picture_width, function->picture_height, "function");
+  if (!out) return std::nullopt;
+  constexpr double most = 65535;
+  auto const code = [](double value) {
+    double const whole = std::trunc(value * most);
+    if (!std::isfinite(whole)) return 0.0F;
+    return static_cast<float>((whole - 65536 * std::floor(whole / 65536)) / most);
+  };
+  out->has_alpha = function->vector;
+  float* to = out->rgba.data();
+  for (int y = 0; y < out->height; ++y)
+    for (int x = 0; x < out->width; ++x, to += 4) {
+      double const place[] = {x / std::max(1.0, out->width - 1.0),
+                              y / std::max(1.0, out->height - 1.0), 0};
+      Numeric const value = evaluate_function(*function, place);
+      for (std::size_t c = 0; c < 3; ++c) to[c] = code(value.c[function->vector ? c : 0]);
+      if (function->vector) to[3] = code(1 - value.promoted(5).c[4]);
+    }
+  return std::move(*out);
 }
 
 std::optional<Texels> read_file(Reader& in) {
@@ -73,7 +115,8 @@ bool read_passing(Reader& in, Texels const& texels, Picture& picture) {
   return true;
 }
 
-std::shared_ptr<Picture> picture_of(Texels const& texels, Gamma const& gamma) {
+/// @param divide colours are those of light, which alpha has weakened
+std::shared_ptr<Picture> picture_of(Texels const& texels, Gamma const& gamma, bool divide) {
   auto out = std::make_shared<Picture>();
   out->width = texels.width;
   out->height = texels.height;
@@ -84,7 +127,9 @@ std::shared_ptr<Picture> picture_of(Texels const& texels, Gamma const& gamma) {
     auto const light = [&](float code) {
       return static_cast<float>(gamma(static_cast<double>(code)));
     };
-    out->texels[k] = {light(from[0]), light(from[1]), light(from[2]), 0, 1 - from[3]};
+    float const share = divide && from[3] > 0 ? from[3] : 1;
+    out->texels[k] = {light(from[0]) / share, light(from[1]) / share, light(from[2]) / share, 0,
+                      1 - from[3]};
   }
   return out;
 }
@@ -99,21 +144,31 @@ double read_gamma(Reader& in) {
   return 1;
 }
 
+} // namespace
+
+std::optional<Texels> read_texels_source(Reader& in) {
+  return starts_function(in) ? read_function(in) : read_file(in);
+}
+
+namespace {
+
 /// The block's picture and items. What is wrong is a picture of one black pixel.
 std::shared_ptr<texture::Pattern const> read_picture(Reader& in, Use use, bool close) {
-  auto texels = read_file(in);
+  bool const file = !starts_function(in);
+  auto texels = read_texels_source(in);
   if (!texels) texels = std::move(*image::make_texels(1, 1, ""));
   double written = 0;
-  while (!in.at_end()) {
+  bool divide = texels->premultiplied;
+  while (file && !in.at_end()) {
     if (double const gamma = read_gamma(in); gamma != 0)
       written = gamma;
     else if (in.accept("premultiplied"))
-      in.boolean_or(true);
+      divide = in.number("premultiplied") != 0;
     else
       break;
   }
-  auto picture =
-      picture_of(*texels, gamma_of(in, *texels, written, use == Use::Colours || use == Use::Bumps));
+  auto picture = picture_of(*texels, gamma_of(in, *texels, written, use == Use::Colours),
+                            divide && texels->has_alpha);
   std::shared_ptr<texture::Pattern const> pattern = std::make_shared<ImagePattern>(picture, use);
   while (!in.at_end()) {
     if (auto changed = pattern->read_item(in))

@@ -126,6 +126,17 @@ bool read_pattern(Reader& in, PatternDraft& draft) {
   return true;
 }
 
+bool read_pattern_with_value(Reader& in, PatternDraft& draft) {
+  Span const at = in.next_span();
+  std::string const word(in.next_word());
+  if (!read_pattern(in, draft)) return false;
+  if (draft.instance->pattern->has_value()) return true;
+  in.report(Severity::Error, "E0252",
+            fmt::format("'{}' tilts normals and has no value: it stands in a normal", word), at);
+  draft.instance->pattern = find_pattern("bozo")->read(in);
+  return true;
+}
+
 void PatternDraft::close(Reader& in) {
   if (!std::exchange(encloses, false)) return;
   while (!in.at_end()) reject(in, "an item of the pattern's list");

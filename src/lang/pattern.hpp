@@ -39,6 +39,8 @@ void transform_pattern(std::shared_ptr<texture::PatternInstance const>&,
                        geometry::Transform const&);
 /// Takes the word of a pattern with what belongs to it, when one is next.
 bool read_pattern(Reader&, PatternDraft&);
+/// The same where a value is wanted: what has none (facets, bump_map) is an error.
+bool read_pattern_with_value(Reader&, PatternDraft&);
 /// Takes an item of the pattern or a modifier of all patterns, when one is next.
 /// @pre there is a pattern
 bool read_pattern_modifier(Reader&, PatternDraft&);

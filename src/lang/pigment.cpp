@@ -89,7 +89,7 @@ void read_list(Reader& in, Draft& draft) {
 bool read_pattern_of(Reader& in, Draft& draft) {
   Span const at = in.next_span();
   bool const was_list = draft.is_list();
-  if (!read_pattern(in, draft)) return false;
+  if (!read_pattern_with_value(in, draft)) return false;
   draft.choose(in, at);
   if (draft.is_list()) {
     read_list(in, draft);

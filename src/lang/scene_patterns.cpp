@@ -72,6 +72,8 @@ std::shared_ptr<Pattern const> read_function_pattern(Reader& in, bool&) {
   in.take();
   if (!function->unsupported.empty())
     in.report(Severity::Error, "E0901", function->unsupported, at);
+  else if (function->picture_width != 0)
+    in.report(Severity::Error, "E0622", "a function with a size is a picture, not a pattern", at);
   else if (function->parameters != 3)
     in.report(Severity::Error, "E0622",
               "a function of x, y and z is wanted, not one of "

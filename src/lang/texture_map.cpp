@@ -95,7 +95,7 @@ bool TextureMapDraft::read(Reader& in) {
       read_material(in);
       return true;
     }
-    if (!read_pattern(in, draft_)) return false;
+    if (!read_pattern_with_value(in, draft_)) return false;
     if (draft_.is_list()) read_list(in);
     draft_.close(in);
     return true;

@@ -72,6 +72,8 @@ public:
                     Vec3& /*normal*/) const {
     return false;
   }
+  /// Has it a value? What tilts normals and nothing else has none and stands in normals alone.
+  virtual bool has_value() const { return true; }
   /// Number of items of a list pattern (checker 2, brick 2); 0: it takes a map.
   virtual int list_size() const { return 0; }
   /// The entries of a map are mixed all at once, their values are weights.

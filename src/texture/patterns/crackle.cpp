@@ -45,13 +45,14 @@ public:
   }
   std::shared_ptr<Pattern const> read_item(Parameters& in) const override;
 
-private:
   struct Nearest {
     std::array<double, 3> power{}; ///< |d|^m + offset^m of the nearest three, ascending
     Vec3 point{0};                 ///< the nearest
   };
   Nearest find(Vec3 const& p) const;
+  void set_metric(double metric) { metric_ = metric; }
 
+private:
   double power(double difference) const {
     return metric_ == 2 ? difference * difference : simd::pow(std::abs(difference), metric_);
   }
@@ -129,10 +130,51 @@ std::shared_ptr<Pattern const> Crackle::read_item(Parameters& in) const {
   return changed;
 }
 
+class Facets final : public Pattern {
+public:
+  double raw(Vec3 const&, PatternModifiers const&) const override { return 0; }
+  bool has_value() const override { return false; }
+  bool tilt(Vec3 const& point, PatternModifiers const&, double, Vec3& normal) const override {
+    if (coords_ == 0) {
+      normal = glm::normalize(cells_.find(normal / size_).point);
+      return true;
+    }
+    Vec3 const push = vector_noise(cells_.find(point / size_).point);
+    normal = glm::normalize(normal + coords_ * (push - glm::dot(push, normal) * normal));
+    return true;
+  }
+  std::shared_ptr<Pattern const> read_item(Parameters& in) const override {
+    auto changed = std::make_shared<Facets>(*this);
+    Span const span = in.next_span();
+    bool const metric = in.accept("metric");
+    if (!metric && in.accept("coords")) {
+      changed->coords_ = in.number("coords");
+      return changed;
+    }
+    if (!metric && !in.accept("size")) return nullptr;
+    double const value = in.number(metric ? "metric" : "size");
+    if (!(value > 0))
+      in.report(Severity::Error, "E0384", "the size and metric of facets must be positive", span);
+    else if (metric)
+      changed->cells_.set_metric(value);
+    else
+      changed->size_ = value;
+    return changed;
+  }
+
+private:
+  Crackle cells_;
+  double size_ = 0.1;
+  double coords_ = 0; ///< 0: facets of directions, else how strongly facets of places lean
+};
+
 } // namespace
 
 std::shared_ptr<Pattern const> read_crackle(Parameters&) {
   return std::make_shared<Crackle>();
+}
+std::shared_ptr<Pattern const> read_facets(Parameters&) {
+  return std::make_shared<Facets>();
 }
 
 } // namespace abbe::texture

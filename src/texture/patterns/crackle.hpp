@@ -16,4 +16,14 @@ namespace abbe::texture {
  * @code pigment { crackle form <1, 0, 0> metric 1 scale .4 } @endcode */
 std::shared_ptr<Pattern const> read_crackle(Parameters&);
 
+/** @scene normal { facets ITEMS }
+ * Plane faces with edges between them, of the cells that crackle has. Those of directions cover a
+ * ball and leave a plane alone.
+ * | item     | default | meaning |
+ * | coords A | 0       | how far faces of cells in space lean; 0: faces of cells of directions |
+ * | size S   | .1      | of the cells |
+ * | metric M | 2       | as of crackle |
+ */
+std::shared_ptr<Pattern const> read_facets(Parameters&);
+
 } // namespace abbe::texture

@@ -2,6 +2,7 @@
 #include "texture/patterns/image.hpp"
 
 #include "simd/math.hpp"
+#include "texture/catmull_rom.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +24,6 @@ int modulo(int value, int by) {
 
 double around(Vec3 const& p) {
   return fraction(simd::atan2(p.z, p.x) / (2 * pi));
-}
-
-/// Catmull-Rom shares of four values in a row, between the two in the middle.
-void cubic_shares(double t, double* out) {
-  out[0] = 0.5 * (-t + 2 * t * t - t * t * t);
-  out[1] = 0.5 * (2 - 5 * t * t + 3 * t * t * t);
-  out[2] = 0.5 * (t + 4 * t * t - 3 * t * t * t);
-  out[3] = 0.5 * (-t * t + t * t * t);
 }
 
 } // namespace
@@ -76,11 +69,11 @@ double ImagePattern::mixed(Place const& place, Of const& of) const {
   double const tx = x - x0, ty = y - y0;
   if (interpolate_ == 3) {
     double along[4], up[4], sum = 0;
-    cubic_shares(tx, along);
-    cubic_shares(ty, up);
+    catmull_rom(tx, along);
+    catmull_rom(ty, up);
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i) sum += up[j] * along[i] * of(place_of(x0 + i - 1, y0 + j - 1));
-    return std::clamp(sum, 0.0, 1.0); // it overshoots
+    return sum; // it overshoots, as POV-Ray's does
   }
   double sum = 0, shares = 0;
   for (int j = 0; j < 2; ++j)
@@ -99,10 +92,11 @@ double ImagePattern::mixed(Place const& place, Of const& of) const {
 }
 
 double ImagePattern::value(Place const& place) const {
+  if (use_index_ && use_ == Use::Bumps && !picture_->index.empty())
+    return std::floor(mixed(place, [&](std::size_t k) { return double(picture_->index[k]); }));
   return mixed(place, [&](std::size_t k) -> double {
     Picture::Texel const& t = picture_->texels[k];
     if (use_alpha_) return static_cast<double>(t.transmit);
-    if (use_index_ && !picture_->index.empty()) return picture_->index[k] / 255.0;
     return 0.297 * static_cast<double>(t.r) + 0.589 * static_cast<double>(t.g)
            + 0.114 * static_cast<double>(t.b);
   });
@@ -144,14 +138,14 @@ bool ImagePattern::tilt(Vec3 const& point, PatternModifiers const&, double amoun
   if (use_ != Use::Bumps) return false;
   auto const here = place(point);
   if (!here) return true;
-  // Heights of the pixel and of two of its neighbours make a triangle.
+  // Heights of the pixel and of two of its neighbours, one row further down, make a triangle.
   auto const height = [&](double dx, double dy) {
     double const w = picture_->width, h = picture_->height;
     double const x = here->x + dx, y = here->y + dy;
     return bump_size_.value_or(amount)
            * value({x - w * std::floor(x / w), y - h * std::floor(y / h)});
   };
-  double const middle = height(0, 0), left = height(-1, 1), right = height(1, 1);
+  double const middle = height(0, 0), left = height(-1, -1), right = height(1, -1);
   Vec3 const a(-1, left - middle, 1), b(1, right - middle, 1);
   Vec3 const bump = glm::normalize(glm::cross(a, b));
   // It stands for `up` in a frame whose up is the normal.

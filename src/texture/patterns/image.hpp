@@ -27,7 +27,8 @@ struct Picture {
  * | once            | off     | a single time: nothing around it |
  * | map_type T      | 0       | 0 flat, 1 on a sphere, 2 on a cylinder, 5 on a torus |
  * | interpolate I   | 0       | between pixels: 2 linear, 3 cubic, 4 by distance |
- * | use_index, use_color, use_alpha | use_color | what of a pixel counts as its value |
+ * | use_color, use_alpha | use_color | what of a pixel counts as its value: its grey or alpha |
+ * | use_index       | off     | in bump_map: the number of its palette entry |
  */
 class ImagePattern final : public Pattern {
 public:
@@ -38,6 +39,7 @@ public:
   double raw(Vec3 const& point, PatternModifiers const&) const override;
   double default_frequency() const override { return 0; }
   bool has_colours() const override { return use_ == Use::Colours; }
+  bool has_value() const override { return use_ != Use::Bumps; }
   PatternColour colour_at(Vec3 const& point) const override;
   bool lets_light_pass() const override;
   bool tilt(Vec3 const& point, PatternModifiers const&, double amount, Vec3& normal) const override;

@@ -40,6 +40,7 @@ std::span<PatternKind const> pattern_kinds() {
       {"cubic", read_cubic},
       {"cylindrical", read_cylindrical},
       {"dents", read_dents},
+      {"facets", read_facets},
       {"gradient", read_gradient},
       {"granite", read_granite},
       {"hexagon", read_hexagon},
