@@ -124,19 +124,52 @@ struct HeightField::Walk {
   double pad;      ///< of boxes, in cells
   Crossings& out;
   bool first_only = false;
+  Vec3 inverse{0}, origin{0}, slack{0}; ///< of the line; the slack is that of boxes along it
+  int near_x = 0, near_z = 0;           ///< which of two blocks comes first
 
-  /// The part of the line between two values of a coordinate.
-  void slab(int axis, double low, double high, double& begin, double& end) const {
-    double const o = line.point[axis], d = line.direction[axis];
-    if (d == 0) {
-      if (o < low - pad || o > high + pad) end = -infinity;
-      return;
+  Walk(HeightField const& of, ShearedLine const& with, double begin, double end, Crossings& into)
+      : field(of),
+        line(with),
+        from(begin),
+        to(end),
+        pad(box_slack * (of.grid_->columns + of.grid_->rows)),
+        out(into),
+        near_x(with.direction.x < 0 ? 1 : 0),
+        near_z(with.direction.z < 0 ? 1 : 0) {
+    // A line that stands still along an axis hardly moves there: one that is beside a box comes to
+    // it nowhere that counts.
+    for (int axis = 0; axis < 3; ++axis) {
+      double const d = line.direction[axis];
+      inverse[axis] = std::fabs(d) > 1e-300 ? 1 / d : std::copysign(1e300, d);
+      slack[axis] = pad * std::fabs(inverse[axis]);
     }
-    double const a = (low - pad - o) / d, b = (high + pad - o) / d;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
+    origin = line.point + Vec3(field.middle_x_, 0, field.middle_z_);
+  }
+
+  /// Narrows the part of the line to that between two values of a coordinate.
+  void slab(int axis, double low, double high, double& begin, double& end) const {
+    double const a = (low - origin[axis]) * inverse[axis],
+                 b = (high - origin[axis]) * inverse[axis];
+    begin = std::max(begin, std::min(a, b) - slack[axis]);
+    end = std::min(end, std::max(a, b) + slack[axis]);
+  }
+  /// Can the line meet one of the two triangles of a cell? As hit_triangle() finds it, up to signs.
+  bool may_hit(int i, int j) const {
+    double x[4], y[4];
+    for (int k = 0; k < 4; ++k) {
+      Vec3 const v = field.vertex(i + (k & 1), j + (k >> 1)) - line.point;
+      x[k] = v[line.kx] - line.sx * v[line.kz];
+      y[k] = v[line.ky] - line.sy * v[line.kz];
+    }
+    auto const edge = [&](int a, int b) { return x[a] * y[b] - x[b] * y[a]; };
+    auto const apart = [](double a, double b, double c) {
+      return std::min(a, std::min(b, c)) < 0 && std::max(a, std::max(b, c)) > 0;
+    };
+    double const diagonal = edge(2, 1);
+    return !apart(edge(0, 2), diagonal, edge(1, 0)) || !apart(edge(3, 1), -diagonal, edge(2, 3));
   }
   void cell(int i, int j) {
+    if (!may_hit(i, j)) return;
     for (std::uint32_t half = 0; half < 2; ++half) {
       std::uint32_t const face =
           2 * static_cast<std::uint32_t>(j * (field.grid_->columns - 1) + i) + half;
@@ -146,61 +179,61 @@ struct HeightField::Walk {
       if (!hit) continue;
       bool const wet =
           field.form_.deep && line.point.y + (hit->t - line.t) * line.direction.y < field.water_;
-      Crossing c{hit->t, hit->error, hit->slack, face, hit->downward, true, !wet};
-      out.push_back(c);
+      out.push_back({hit->t, hit->error, hit->slack, face, hit->downward, true, !wet});
       // Beyond the first, only what is as near as its error.
-      if (first_only && hit->t > hit->error) to = std::min(to, hit->t - line.t + 16 * hit->error);
+      if (first_only && hit->t > 2 * (hit->error + hit->slack))
+        to = std::min(to, hit->t - line.t + 16 * hit->error);
     }
   }
-  /// The cells of a block of the smallest size.
-  void leaf(int bx, int bz) {
+  /// The cells of a block of the smallest size that are along a part of the line.
+  void leaf(int bx, int bz, double begin, double end) {
     int const columns = field.grid_->columns - 1, rows = field.grid_->rows - 1;
-    bool const back_x = line.direction.x < 0, back_z = line.direction.z < 0;
+    int const low_x = bx * side, low_z = bz * side;
     double begin_x[side], end_x[side];
-    int const count_x = std::min(side, columns - bx * side),
-              count_z = std::min(side, rows - bz * side);
+    int const count_x = std::min(side, columns - low_x), count_z = std::min(side, rows - low_z);
     for (int k = 0; k < count_x; ++k) {
-      begin_x[k] = from;
-      end_x[k] = to;
-      double const x = bx * side + k - field.middle_x_;
-      slab(0, x, x + 1, begin_x[k], end_x[k]);
+      begin_x[k] = begin;
+      end_x[k] = end;
+      slab(0, low_x + k, low_x + k + 1, begin_x[k], end_x[k]);
     }
     for (int n = 0; n < count_z; ++n) {
-      int const kz = back_z ? count_z - 1 - n : n, j = bz * side + kz;
-      double begin_z = from, end_z = to;
-      double const z = j - field.middle_z_;
-      slab(2, z, z + 1, begin_z, end_z);
+      int const j = low_z + (near_z != 0 ? count_z - 1 - n : n);
+      double begin_z = begin, end_z = end;
+      slab(2, j, j + 1, begin_z, end_z);
       if (!(begin_z <= end_z)) continue;
+      std::uint16_t const* const row =
+          &field.grid_->heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns + 1)
+                                + static_cast<std::size_t>(low_x)];
       for (int m = 0; m < count_x; ++m) {
-        int const kx = back_x ? count_x - 1 - m : m, i = bx * side + kx;
-        double const begin = std::max(begin_x[kx], begin_z), end = std::min(end_x[kx], end_z);
-        if (!(begin <= std::min(end, to))) continue;
-        auto const [low, high] =
-            std::minmax({field.grid_->at(i, j), field.grid_->at(i + 1, j),
-                         field.grid_->at(i, j + 1), field.grid_->at(i + 1, j + 1)});
-        double const a = line.point.y + begin * line.direction.y,
-                     b = line.point.y + end * line.direction.y;
-        if (std::min(a, b) - pad > field.y_of(high) || std::max(a, b) + pad < field.y_of(low))
+        int const k = near_x != 0 ? count_x - 1 - m : m;
+        double const a = std::max(begin_x[k], begin_z), b = std::min(end_x[k], end_z);
+        if (!(a <= std::min(b, to))) continue;
+        std::uint16_t const* const at = row + k;
+        std::uint16_t const* const next = at + columns + 1;
+        double const low = std::min(std::min(at[0], at[1]), std::min(next[0], next[1])),
+                     high = std::max(std::max(at[0], at[1]), std::max(next[0], next[1]));
+        double const ya = line.point.y + a * line.direction.y,
+                     yb = line.point.y + b * line.direction.y;
+        if (std::min(ya, yb) - pad > (high - 32768) * field.unit_
+            || std::max(ya, yb) + pad < (low - 32768) * field.unit_)
           continue;
-        cell(i, j);
+        cell(low_x + k, j);
       }
     }
   }
   void node(std::size_t depth, int bx, int bz) {
     HeightBlocks::Level const& level = field.blocks_->levels[depth];
-    HeightBlocks::Range const& range =
+    HeightBlocks::Range const range =
         level.ranges[static_cast<std::size_t>(bz * level.columns + bx)];
-    int const size = side << depth;
+    double const size = side << depth;
     double begin = from, end = to;
-    double const x = bx * static_cast<double>(size) - field.middle_x_,
-                 z = bz * static_cast<double>(size) - field.middle_z_;
-    slab(0, x, x + size, begin, end);
-    slab(2, z, z + size, begin, end);
+    slab(0, bx * size, (bx + 1) * size, begin, end);
+    slab(2, bz * size, (bz + 1) * size, begin, end);
+    if (!(begin <= end)) return;
     slab(1, field.y_of(range.low), field.y_of(range.high), begin, end);
     if (!(begin <= end)) return;
-    if (depth == 0) return leaf(bx, bz);
+    if (depth == 0) return leaf(bx, bz, begin, end);
     HeightBlocks::Level const& finer = field.blocks_->levels[depth - 1];
-    int const near_x = line.direction.x < 0 ? 1 : 0, near_z = line.direction.z < 0 ? 1 : 0;
     for (int k = 0; k < 4; ++k) {
       int const cx = 2 * bx + ((k & 1) ^ near_x), cz = 2 * bz + ((k >> 1) ^ near_z);
       if (cx < finer.columns && cz < finer.rows) node(depth - 1, cx, cz);
@@ -288,9 +321,8 @@ void HeightField::crossings(Ray const& ray, Start const* start, Crossings& out) 
   Box box;
   if (box_of(ray, box)) {
     ShearedLine const line(line_of(ray));
-    double const pad = box_slack * (grid_->columns + grid_->rows);
     double const off = box_slack * (std::fabs(line.t) + std::fabs(box.in.t) + std::fabs(box.out.t));
-    Walk walk{*this, line, -infinity, infinity, pad, out};
+    Walk walk(*this, line, -infinity, infinity, out);
     if (off < infinity) {
       walk.from = box.in.t - line.t - off;
       walk.to = box.out.t - line.t + off;
@@ -303,34 +335,57 @@ void HeightField::crossings(Ray const& ray, Start const* start, Crossings& out) 
 
 void HeightField::crossings_ahead(Ray const& ray, Start const* start, double until,
                                   Crossings& out) const {
-  if (start != nullptr) return crossings(ray, start, out);
+  if (start != nullptr && (start->to_inside || start->face >= 2 * cells()))
+    return crossings(ray, start, out);
   Box box;
-  if (!box_of(ray, box) || box.out.t < 0) return;
+  if (!box_of(ray, box)) return crossings(ray, start, out);
+  if (box.out.t < 0 && start == nullptr) return;
   std::size_t const first = out.size();
   ShearedLine const line(line_of(ray));
-  double const pad = box_slack * (grid_->columns + grid_->rows);
-  double const begin = std::max(box.in.t, 0.0), end = std::min(box.out.t, until);
+  double before = 0; // where the root of the start may be
+  if (start != nullptr) {
+    Vec3 corner[3];
+    corners(start->face, corner);
+    Vec3 const across = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    before = 4 * glm::dot(glm::abs(across), line.slack + line.rounding)
+             / std::fabs(glm::dot(across, line.direction));
+  }
+  double const begin = std::max(box.in.t, -before), end = std::min(box.out.t, until);
   double const off = box_slack * (std::fabs(line.t) + std::fabs(begin) + std::fabs(end));
   if (!(off < infinity)) return crossings(ray, start, out);
-  Walk walk{*this, line, begin - line.t - off, end - line.t + off, pad, out, true};
+  Walk walk(*this, line, begin - line.t - off, end - line.t + off, out);
+  walk.first_only = true;
   walk.run();
   auto const anew = [&] {
     out.resize(first);
     crossings(ray, start, out);
   };
-  if (out.size() == first) {
-    if (below(ray.origin + (begin * 0.5 + end * 0.5) * ray.direction)) anew();
-    return;
-  }
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
             [](Crossing const& a, Crossing const& b) { return a.t < b.t; });
+  std::size_t next = first;
+  if (start != nullptr) {
+    // The root of the start is the first, and none is beside it.
+    auto const near = [&](std::size_t k) {
+      return k < out.size() && out[k].t <= 2 * (out[k].error + out[k].slack);
+    };
+    if (!near(first) || near(first + 1) || out[first].face != start->face || out[first].entering)
+      return anew();
+    out[first].t = 0;
+    ++next;
+  }
+  if (out.size() == next) {
+    double const middle = std::max(begin, 0.0) * 0.5 + end * 0.5;
+    if (start == nullptr && below(ray.origin + middle * ray.direction)) anew();
+    return;
+  }
   // The first, where it is clear of the box, the start and the next; else all is seen as a whole.
-  Crossing const& hit = out[first];
+  Crossing const& hit = out[next];
   bool const clear =
-      hit.t - hit.error > begin + off && hit.t + hit.error < end - off
-      && (out.size() == first + 1 || hit.t + hit.error < out[first + 1].t - out[first + 1].error);
-  if (!clear || (!hit.entering && box.in.t > -box.in.error)) return anew();
-  out.resize(first + 1);
+      hit.t - hit.error > std::max(begin, 0.0) + off && hit.t + hit.error < end - off
+      && (out.size() == next + 1 || hit.t + hit.error < out[next + 1].t - out[next + 1].error);
+  bool const from_side = !hit.entering && (start != nullptr || box.in.t > -box.in.error);
+  if (!clear || from_side) return anew();
+  out.resize(next + 1);
 }
 
 bool HeightField::below(Vec3 const& point) const {
