@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `text { ttf "file" "string" thickness, offset }`: a union of glyphs.
 #include "font/font.hpp"
+#include "geometry/shapes/blank.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/spline_prism.hpp"
 #include "lang/blocks.hpp"
@@ -181,22 +182,26 @@ scene::Object read_text_object(Reader& in) {
   double const em = 1 / font.units_per_em();
   Transform const size = Transform::scaling({em, em, flat ? 1 : thickness});
   Pen pen(font, offset);
-  for (char32_t const character : characters) {
-    std::uint32_t const glyph = font.glyph(character);
+  // The first and the last place count for the extent, also of blanks.
+  geometry::PlacedShape const blank{
+      std::make_shared<geometry::Blank>(geometry::Bounds{Vec3(0), Vec3(0, 0, 1), false}), {}};
+  for (std::size_t k = 0; k < characters.size(); ++k) {
+    std::uint32_t const glyph = font.glyph(characters[k]);
     Vec3 const place = pen.place(glyph);
     auto const [known, added] = loaded->glyphs.try_emplace({glyph, flat});
     if (added) known->second = make_glyph(font, glyph, flat);
-    if (!known->second) continue; // blank
     if (!geometry::finite(place)) {
       in.report(Severity::Error, "E0632", "the offset moves this text out of all numbers", at);
       return object;
     }
+    bool const at_end = k == 0 || k + 1 == characters.size();
+    if (!known->second && !at_end) continue;
+    auto const& [shape, placement] = known->second ? *known->second : blank;
     scene::Object child;
     child.span = object.span;
     child.keyword = "text";
-    child.shape = known->second->shape;
-    child.placement =
-        known->second->placement.then(size).then(Transform::rounded_translation(place, 4));
+    child.shape = shape;
+    child.placement = placement.then(size).then(Transform::rounded_translation(place, 4));
     object.children.push_back(std::move(child));
   }
   if (flat && !object.children.empty())

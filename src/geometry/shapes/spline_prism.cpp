@@ -189,6 +189,22 @@ struct SplinePrism::Cut {
     return Vec3(m.x, m.y, m.z) + Vec3(place_error<double>());
   }
   Vec3 slack() const { return {line.slack.x, line.slack.y, line.slack.z}; }
+  /// Between which t the hull is, but for rounding. Of linear sweeps.
+  std::pair<double, double> reach_of(Hull const& hull) const {
+    double step[4];
+    for (std::size_t i = 0; i < 4; ++i) step[i] = (hull.x[i] - p.x) * d.x + (hull.z[i] - p.z) * d.z;
+    double const scale = unit / across2;
+    double const low = std::min(std::min(step[0], step[1]), std::min(step[2], step[3]));
+    double const high = std::max(std::max(step[0], step[1]), std::max(step[2], step[3]));
+    return {from + low * scale, from + high * scale};
+  }
+  /// More than reach_of() is off by, near a part of the line.
+  double room(double low, double high, double reach) const {
+    auto const size = [](double t) { return std::isfinite(t) ? std::fabs(t) : 0; };
+    Vec3 const most = moved(std::max(size(low), size(high)));
+    return 0x1p-30 * (size(low) + size(high) + std::fabs(from) + reach * unit / std::sqrt(across2))
+           + 4 * unit * (most.x + most.z) / std::sqrt(across2);
+  }
 
   Crossing crossing(Piece const& piece, PolynomialRoot const& root) const {
     double const u = root.at;
@@ -251,30 +267,50 @@ void SplinePrism::piece_crossings(Cut const& cut, std::size_t k, Crossings& out)
   }
 }
 
-/// Crossings of the walls, from senses to ways in and out: only those where the inside changes.
-/// @param apex t where a line passes the height of the apex, outside of the curves: there turns are
-/// counted from. Infinite: none
-void SplinePrism::match(std::size_t first, double apex, Crossings& out) const {
+/// Where the line passes the heights of the lids. @return false: it stays beyond one of them
+bool SplinePrism::between(Ray const& ray, Crossing& in, Crossing& leave) const {
+  double const o = ray.origin.y, d = ray.direction.y;
+  in.t = -infinity;
+  leave.t = infinity;
+  if (d == 0) return form_.low <= o && o <= form_.high;
+  auto const lid = [&](bool high, bool entering) {
+    double const height = high ? form_.high : form_.low;
+    Crossing c;
+    c.t = (height - o) / d;
+    c.error = (ray.origin_rounding.y + std::fabs(c.t) * ray.direction_rounding.y
+               + gamma_bound(4) * (std::fabs(height) + std::fabs(o)))
+                  / std::fabs(d)
+              + gamma_bound(2) * std::fabs(c.t);
+    c.slack = ray.origin_error.y / std::fabs(d);
+    c.face = high ? 1 : 0;
+    c.entering = entering;
+    c.visible = !form_.open;
+    return c;
+  };
+  in = lid(d < 0, true);
+  leave = lid(d > 0, false);
+  return true;
+}
+
+/// Crossings of the walls, from senses to ways in and out: only those where the inside changes, and
+/// only between the lids. @param turns of the line before the first; where that is inside, the way
+/// in is the lid, and left out behind `from`
+void SplinePrism::match(std::size_t first, int turns, Crossing const& in, Crossing const& leave,
+                        double from, Crossings& out) const {
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
             [](Crossing const& a, Crossing const& b) {
               return a.t != b.t ? a.t < b.t : a.face < b.face;
             });
-  bool const by_turns = form_.fill == Fill::EvenOdd;
   std::size_t to = first;
-  int turns = 0;
-  auto const turn = [&](Crossing const& c) {
-    turns = by_turns ? 1 - turns : turns + (c.entering ? 1 : -1);
-  };
-  for (std::size_t i = first; i < out.size(); ++i)
-    if (out[i].t > apex) turn(out[i]);
+  bool const from_far = turns != 0;
   for (std::size_t i = first; i < out.size(); ++i) {
     Crossing c = out[i];
-    bool const left = c.entering;
-    bool const was = turns != 0;
-    turn(c);
+    bool const left = c.entering, was = turns != 0;
+    turns = turned(turns, left);
     bool const is = turns != 0;
     if (was == is) continue;
-    if (!by_turns && is && to > first && c.t - out[to - 1].t <= c.error + out[to - 1].error) {
+    if (form_.fill == Fill::NonZero && is && to > first
+        && c.t - out[to - 1].t <= c.error + out[to - 1].error) {
       --to; // two outlines that touch have no gap between them
       continue;
     }
@@ -283,52 +319,16 @@ void SplinePrism::match(std::size_t first, double apex, Crossings& out) const {
     out[to++] = c;
   }
   out.resize(to);
-}
-
-/// Keeps what is between the lids. @param along no wall is crossed: the line is inside all the way
-void SplinePrism::between_lids(Ray const& ray, std::size_t first, bool along,
-                               Crossings& out) const {
-  double const o = ray.origin.y, d = ray.direction.y;
-  Crossing in, leave;
-  in.t = -infinity;
-  leave.t = infinity;
-  if (d == 0) {
-    if (o < form_.low || o > form_.high) return out.resize(first);
-  } else {
-    auto const lid = [&](bool high, bool entering) {
-      double const height = high ? form_.high : form_.low;
-      Crossing c;
-      c.t = (height - o) / d;
-      c.error = (ray.origin_rounding.y + std::fabs(c.t) * ray.direction_rounding.y
-                 + gamma_bound(4) * (std::fabs(height) + std::fabs(o)))
-                    / std::fabs(d)
-                + gamma_bound(2) * std::fabs(c.t);
-      c.slack = ray.origin_error.y / std::fabs(d);
-      c.face = high ? 1 : 0;
-      c.entering = entering;
-      c.visible = !form_.open;
-      return c;
-    };
-    in = lid(d < 0, true);
-    leave = lid(d > 0, false);
-  }
-  if (along) {
-    if (d == 0) return;
-    out.push_back(in);
-    out.push_back(leave);
-    return;
-  }
-  // A line may come out of, and go on into, the wide ends of a conic sweep.
-  bool const from_far = out.size() > first && !out[first].entering;
-  bool const to_far = out.size() > first && out.back().entering;
-  if (from_far) out.insert(out.begin() + static_cast<std::ptrdiff_t>(first), in);
-  if (to_far) out.push_back(leave);
-  std::size_t to = first;
+  auto const begin = out.begin() + static_cast<std::ptrdiff_t>(first);
+  if (from_far) out.insert(begin, in);
+  if (turns != 0) out.push_back(leave);
+  to = first;
   for (std::size_t i = first; i + 1 < out.size(); i += 2) {
     Crossing const a = out[i].t < in.t ? in : out[i];
     Crossing const b = out[i + 1].t > leave.t ? leave : out[i + 1];
     if (!(a.t < b.t)) continue;
-    out[to++] = a;
+    bool const behind = from_far && i == first && a.t < from;
+    if (!behind) out[to++] = a;
     out[to++] = b;
   }
   out.resize(to);
@@ -352,30 +352,66 @@ void SplinePrism::sheet_crossing(Ray const& ray, Crossings& out) const {
   out.push_back(c);
 }
 
-void SplinePrism::crossings(Ray const& ray, Start const* start, Crossings& out) const {
-  if (!solid()) {
-    // A ray from the patch does not come back to it.
-    if (start == nullptr) sheet_crossing(ray, out);
-    return;
-  }
+/// @param from what is behind it may be left out
+void SplinePrism::find(Ray const& ray, double from, Crossings& out) const {
+  if (!solid()) return sheet_crossing(ray, out);
+  Crossing in, leave;
+  if (!between(ray, in, leave)) return;
   std::size_t const first = out.size();
+  bool const conic = form_.sweep == Sweep::Conic;
   Cut const cut(ray, form_.sweep);
   if (cut.along) {
-    bool const conic = form_.sweep == Sweep::Conic;
     double const y = ray.direction.y;
-    bool const in = conic ? y != 0 && in_section(ray.direction.x / y, ray.direction.z / y)
-                          : in_section(ray.origin.x, ray.origin.z);
-    if (in) between_lids(ray, first, true, out);
-  } else {
+    bool const inside = conic ? y != 0 && in_section(ray.direction.x / y, ray.direction.z / y)
+                              : in_section(ray.origin.x, ray.origin.z);
+    if (!inside || y == 0) return;
+    out.push_back(in);
+    out.push_back(leave);
+    return;
+  }
+  int turns = 0;
+  if (conic) {
     for (std::size_t k = 0; k < pieces_.size(); ++k)
       if (!cut.misses(hulls_[k], reach_)) piece_crossings(cut, k, out);
-    if (out.size() > first) {
-      double const rise = form_.sweep == Sweep::Conic ? ray.direction.y : 0;
-      match(first, rise != 0 ? -ray.origin.y / rise : infinity, out);
-      between_lids(ray, first, false, out);
+    // Where the line passes the height of the apex it is outside of the curves: turns are counted
+    // from there, and on from the far end.
+    double const rise = ray.direction.y, apex = rise != 0 ? -ray.origin.y / rise : infinity;
+    for (std::size_t i = first; i < out.size(); ++i)
+      if (out[i].t > apex) turns = turned(turns, out[i].entering);
+    from = -infinity;
+  } else {
+    // Pieces before that count by their ends alone, those beyond not at all.
+    double const low = std::max(in.t, from), high = leave.t;
+    double const room = cut.room(low, high, reach_);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      if (cut.misses(hulls_[k], reach_)) continue;
+      auto const [begin, end] = cut.reach_of(hulls_[k]);
+      if (begin > high + room) continue;
+      if (!(end < low - room)) {
+        piece_crossings(cut, k, out);
+        continue;
+      }
+      Piece const& piece = pieces_[k];
+      int const a = cut.side(piece.begin[0], piece.begin[1]),
+                b = cut.side(piece.end[0], piece.end[1]);
+      if (a != b) turns = turned(turns, a < b);
     }
   }
+  if (out.size() > first || turns != 0) match(first, turns, in, leave, from, out);
+}
+
+void SplinePrism::crossings(Ray const& ray, Start const* start, Crossings& out) const {
+  // A ray from a patch does not come back to it.
+  if (!solid() && start != nullptr) return;
+  std::size_t const first = out.size();
+  find(ray, -infinity, out);
   if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+void SplinePrism::crossings_ahead(Ray const& ray, Start const* start, double /*until*/,
+                                  Crossings& out) const {
+  if (start != nullptr) return crossings(ray, start, out);
+  find(ray, 0, out);
 }
 
 bool SplinePrism::in_section(double x, double z) const {

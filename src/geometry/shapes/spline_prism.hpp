@@ -35,6 +35,8 @@ public:
   /// @param pieces each ends where another begins, bit by bit
   SplinePrism(std::vector<Piece> pieces, Form const& form);
   void crossings(Ray const& ray, Start const* start, Crossings& out) const override;
+  void crossings_ahead(Ray const& ray, Start const* start, double until,
+                       Crossings& out) const override;
   bool inside(Vec3 const& point) const override;
   Vec3 normal(Vec3 const& point, std::uint32_t face) const override;
   bool flat(std::uint32_t face) const override {
@@ -54,8 +56,13 @@ private:
   };
   void piece_crossings(Cut const& cut, std::size_t k, Crossings& out) const;
   void sheet_crossing(Ray const& ray, Crossings& out) const;
-  void match(std::size_t first, double apex, Crossings& out) const;
-  void between_lids(Ray const& ray, std::size_t first, bool along, Crossings& out) const;
+  int turned(int turns, bool left) const {
+    return form_.fill == Fill::EvenOdd ? 1 - turns : turns + (left ? 1 : -1);
+  }
+  bool between(Ray const& ray, Crossing& in, Crossing& leave) const;
+  void find(Ray const& ray, double from, Crossings& out) const;
+  void match(std::size_t first, int turns, Crossing const& in, Crossing const& leave, double from,
+             Crossings& out) const;
   bool in_section(double x, double z) const;
   double nearest(Piece const& piece, double x, double z) const;
   void find_bounds();
