@@ -81,7 +81,7 @@ std::string hint_of_scene(std::string const& path) {
 }
 
 std::string nothing_to_see(scene::Scene const& scene) {
-  if (scene.sky_sphere || has_light(scene.background)) return {};
+  if (scene.sky_sphere || has_light(scene.background) || !scene.fogs.empty()) return {};
   if (scene.objects.empty()) return "the scene has no objects, no sky and no background";
   bool const glow =
       std::any_of(scene.objects.begin(), scene.objects.end(),

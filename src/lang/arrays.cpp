@@ -48,7 +48,8 @@ std::string_view type_name(Value const& value) {
                                         "a glass",         "a spectrum",
                                         "a normal",        "a map of normals",
                                         "a map of slopes", "a map of textures",
-                                        "a medium",        "a thing that is not supported yet"};
+                                        "a medium",        "a fog",
+                                        "a rainbow",       "a thing that is not supported yet"};
   static_assert(std::size(kinds) == std::variant_size_v<Value::Any>);
   if (auto const* number = std::get_if<Numeric>(&value.any)) return sizes[number->size];
   return kinds[value.any.index()];

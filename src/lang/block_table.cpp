@@ -104,6 +104,14 @@ Value media_value(Reader& in, std::string_view) {
   read_media(in);
   return shared(MediaValue{}, span);
 }
+Value fog_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_fog(in), span);
+}
+Value rainbow_value(Reader& in, std::string_view) {
+  Span const span = in.block_span();
+  return shared(read_rainbow(in), span);
+}
 Value density_value(Reader& in, std::string_view) {
   Span const span = in.block_span();
   return shared(read_density(in), span);
@@ -164,8 +172,17 @@ void place_object_value(Value&& value, Reader& in) {
   else
     place_object(*held, in);
 }
-void place_light(Value&& value, Reader& in) {
-  state_of(in).scene.lights.push_back(held<scene::Light>(value));
+void place_light_value(Value&& value, Reader& in) {
+  place_light(held<scene::Light>(value), in);
+}
+void place_fog(Value&& value, Reader& in) {
+  if (held<scene::Fog>(value).distance > 0)
+    state_of(in).scene.fogs.push_back(held<scene::Fog>(value));
+}
+void place_rainbow(Value&& value, Reader& in) {
+  scene::Rainbow const& rainbow = held<scene::Rainbow>(value);
+  if (rainbow.distance > 0 && rainbow.width_deg > 0 && !rainbow.entries.empty())
+    state_of(in).scene.rainbows.push_back(rainbow);
 }
 void place_camera(Value&& value, Reader& in) {
   SceneState& state = state_of(in);
@@ -190,11 +207,13 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"difference", object_value, place_object_value},
     {"effects", effects_value, place_nothing},
     {"finish", finish_value, nullptr},
+    {"fog", fog_value, place_fog},
     {"glass", glass_value, nullptr},
     {"global_settings", settings_value, place_nothing},
     {"interior", interior_value, nullptr},
     {"intersection", object_value, place_object_value},
-    {"light_source", light_value, place_light},
+    {"light_group", object_value, place_object_value},
+    {"light_source", light_value, place_light_value},
     {"material", material_value, nullptr},
     {"media", media_value, place_nothing},
     {"merge", object_value, place_object_value},
@@ -203,6 +222,7 @@ constexpr BlockKind kinds_without_shapes[] = {
     {"object", object_value, place_object_value},
     {"pigment", pigment_value, nullptr},
     {"pigment_map", pigment_map_value, nullptr},
+    {"rainbow", rainbow_value, place_rainbow},
     {"sky_sphere", sky_value, place_sky},
     {"slope_map", slope_map_value, nullptr},
     {"spectrum", spectrum_value, nullptr},
@@ -253,7 +273,7 @@ bool place_named(Reader& in) {
   if (auto object = in.accept_value<scene::Object>())
     place_object(*object, in);
   else if (auto light = in.accept_value<scene::Light>())
-    state_of(in).scene.lights.push_back(*light);
+    place_light(*light, in);
   else
     return false;
   return true;

@@ -166,6 +166,11 @@ bool reject_unquoted_glass(Reader&);
 void read_glass_catalog(Reader&);
 // light.cpp, camera.cpp, settings.cpp, sky.cpp
 scene::Light read_light(Reader&);
+/// Puts a light into the scene, and what it looks like.
+void place_light(scene::Light, Reader&);
+/// air.cpp
+scene::Fog read_fog(Reader&);
+scene::Rainbow read_rainbow(Reader&);
 void transform_light(scene::Light&, geometry::Transform const&);
 scene::Camera read_camera(Reader&);
 void read_global_settings(Reader&, scene::Settings&);

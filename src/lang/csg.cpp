@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace abbe::lang {
 
 namespace {
@@ -24,13 +26,15 @@ std::string_view kind_name(Object::Kind kind) {
     return "intersection";
   case Object::Kind::Difference:
     return "difference";
+  case Object::Kind::LightGroup:
+    return "light_group";
   }
   return "";
 }
 
 void warn_about_patch(Reader& in, Object::Kind kind, Object const& child) {
-  if (kind == Object::Kind::Union || child.kind != Object::Kind::Shape || !child.shape
-      || child.shape->solid())
+  if (kind == Object::Kind::Union || kind == Object::Kind::LightGroup
+      || child.kind != Object::Kind::Shape || !child.shape || child.shape->solid())
     return;
   in.report(
       Severity::Warning, "E0253",
@@ -60,7 +64,7 @@ bool is_unknown_block(Reader& in) {
   if (in.next() != Next::Block) return false;
   std::string_view const head = in.next_word();
   return !find_block_kind(head) && head != "clipped_by" && head != "bounded_by"
-         && head != "interior_texture";
+         && head != "interior_texture" && head != "photons" && head != "radiosity";
 }
 
 } // namespace
@@ -100,6 +104,7 @@ struct Inherited {
   std::shared_ptr<scene::Interior const> interior;
   std::optional<bool> hollow;
   bool uv_mapping = false; ///< of the textures
+  std::uint16_t light_group = 0;
   bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
 };
 
@@ -128,6 +133,7 @@ Inherited inherit(Object& object, Inherited const& from) {
   to.no_shadow = inherit_flag(object.no_shadow, from.no_shadow);
   to.no_image = inherit_flag(object.no_image, from.no_image);
   to.no_reflection = inherit_flag(object.no_reflection, from.no_reflection);
+  to.light_group = from.light_group;
   to.double_illuminate = inherit_flag(object.double_illuminate, from.double_illuminate);
   // An own texture is complete: nothing of the parent's, not even its inner one, is added.
   bool const own = object.texture.has_value();
@@ -184,13 +190,32 @@ void flatten_clip(Object& clip) {
   if (clip.kind != Object::Kind::Shape) clip.placement = {};
 }
 
+std::uint16_t add_light_group(Object const& object, std::uint16_t outer, Reader& in) {
+  auto& groups = scene_state(in.interpreter()).scene.light_groups;
+  if (groups.size() == std::numeric_limits<std::uint16_t>::max()) {
+    in.report(Severity::Error, "E0702", "there are too many light groups", object.span);
+    return outer;
+  }
+  groups.push_back({object.global_lights, outer});
+  return static_cast<std::uint16_t>(groups.size());
+}
+
 /// `object` is in world space already, except for its children.
 void settle(Object& object, Inherited const& from, Reader& in) {
-  Inherited const to = inherit(object, from);
+  Inherited to = inherit(object, from);
   object.bounded_by.clear();
   for (Object& clip : object.clipped_by) flatten_clip(clip);
-  for (scene::Light& light : object.lights)
-    scene_state(in.interpreter()).scene.lights.push_back(std::move(light));
+  bool const group = object.kind == Object::Kind::LightGroup;
+  if (group) {
+    to.light_group = add_light_group(object, from.light_group, in);
+    object.kind = Object::Kind::Union;
+  }
+  object.light_group = to.light_group;
+  for (scene::Light& light : object.lights) {
+    // A light in a union that stands in a group belongs to none, as in POV-Ray.
+    light.group = group ? to.light_group : std::uint16_t{0};
+    place_light(std::move(light), in);
+  }
   object.lights.clear();
   if (object.kind == Object::Kind::Shape) {
     settle_leaf(object, to, in);

@@ -56,6 +56,8 @@ std::string_view name(Object::Kind kind) {
     return "intersection";
   case Object::Kind::Difference:
     return "difference";
+  case Object::Kind::LightGroup:
+    return "light_group";
   }
   return "";
 }
@@ -89,6 +91,10 @@ public:
     line("background {}", text(s.background));
     if (s.sky_sphere) sky(*s.sky_sphere);
     for (scene::Light const& l : s.lights) light(l);
+    for (scene::LightGroup const& g : s.light_groups)
+      line("light_group in {}{}", g.outer, g.global_lights ? " global_lights" : "");
+    for (scene::Fog const& f : s.fogs) fog(f);
+    for (scene::Rainbow const& r : s.rainbows) rainbow(r);
     for (Object const& o : s.objects) object(o, "");
   }
 
@@ -160,15 +166,56 @@ private:
     if (l.kind == Kind::Spot)
       rest += fmt::format(" radius {} falloff {} tightness {}", text(l.radius_deg),
                           text(l.falloff_deg), text(l.tightness));
+    if (l.kind == Kind::Cylinder)
+      rest += fmt::format(" radius {} falloff {} tightness {}", text(l.radius), text(l.falloff),
+                          text(l.tightness));
+    if (l.area) rest += area(*l.area);
+    if (l.group != 0) rest += fmt::format(" group {}", l.group);
+    if (l.media_attenuation) rest += " media_attenuation";
+    if (!l.media_interaction) rest += " media_interaction off";
     if (l.shadowless) rest += " shadowless";
     if (l.fade_power != 0 || l.fade_distance != 0)
       rest +=
           fmt::format(" fade_distance {} fade_power {}", text(l.fade_distance), text(l.fade_power));
     line("light {} position {} {}{}",
-         l.kind == Kind::Point  ? "point"
-         : l.kind == Kind::Spot ? "spot"
-                                : "parallel",
+         l.kind == Kind::Point      ? "point"
+         : l.kind == Kind::Spot     ? "spot"
+         : l.kind == Kind::Parallel ? "parallel"
+                                    : "cylinder",
          text(l.position), text(l.colour), rest);
+    Deeper const deeper(*this);
+    if (l.projected_through) object(*l.projected_through, "projected_through ");
+  }
+
+  static std::string area(scene::AreaGrid const& a) {
+    return fmt::format(" area {} {} {} {} adaptive {}{}{}{}{}", text(a.axis1), text(a.axis2),
+                       a.size1, a.size2, a.adaptive, a.jitter ? " jitter" : "",
+                       a.circular ? " circular" : "", a.orient ? " orient" : "",
+                       a.illumination ? " area_illumination" : "");
+  }
+
+  void fog(scene::Fog const& f) {
+    std::string rest;
+    if (f.ground)
+      rest +=
+          fmt::format(" ground offset {} alt {} up {}", text(f.offset), text(f.alt), text(f.up));
+    if (f.turbulence)
+      rest +=
+          fmt::format(" turbulence {} octaves {} omega {} lambda {} depth {}",
+                      text(f.turbulence->amount), f.turbulence->octaves, text(f.turbulence->omega),
+                      text(f.turbulence->lambda), text(f.turbulence_depth));
+    line("fog {} distance {}{}", text(f.colour), text(f.distance), rest);
+  }
+
+  void rainbow(scene::Rainbow const& r) {
+    std::string rest;
+    if (r.jitter != 0) rest += fmt::format(" jitter {}", text(r.jitter));
+    if (r.arc_deg) rest += fmt::format(" arc {}", text(*r.arc_deg));
+    if (r.falloff_deg) rest += fmt::format(" falloff {}", text(*r.falloff_deg));
+    line("rainbow direction {} up {} angle {} width {} distance {}{}", text(r.direction),
+         text(r.up), text(r.angle_deg), text(r.width_deg), text(r.distance), rest);
+    Deeper const deeper(*this);
+    for (auto const& entry : r.entries) line("{} {}", text(entry.value), text(entry.colour));
   }
 
   void object(Object const& o, std::string_view role) {
@@ -183,6 +230,7 @@ private:
     flag(o.no_reflection, "no_reflection");
     flag(o.double_illuminate, "double_illuminate");
     bool const shape = o.kind == Object::Kind::Shape;
+    if (o.light_group != 0) flags += fmt::format(" light_group {}", o.light_group);
     line("{}{}{}", role, shape ? o.keyword : name(o.kind), flags);
     Deeper const deeper(*this);
     if (shape) surface(o);

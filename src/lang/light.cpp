@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
 #include "lang/not_rendered.hpp"
-#include "lang/unsupported.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace abbe::lang {
 
@@ -16,25 +16,33 @@ using scene::Light;
 
 scene::Colour const black{Vec3(0), 0, 0, nullptr};
 
-/// `spotlight`, `parallel` and how they combine.
-bool read_kind(Reader& in, Light& light) {
-  Span const at = in.next_span();
-  Light::Kind kind = Light::Kind::Point;
+/// A light while its block is read.
+struct Draft {
+  Light& light;
+  bool parallel = false; ///< was `parallel` said, of any kind?
+  bool spot = false;     ///< was `spotlight`?
+};
+
+/// `spotlight`, `cylinder`, `parallel`. A parallel spotlight shines everywhere, as in POV-Ray.
+bool read_kind(Reader& in, Draft& draft) {
+  Light& light = draft.light;
+  Light::Kind kind = light.kind;
   if (in.accept("spotlight")) {
     kind = Light::Kind::Spot;
+    draft.spot = true;
+  } else if (in.next() == Next::Word && in.accept("cylinder")) {
+    kind = Light::Kind::Cylinder;
   } else if (in.accept("parallel")) {
-    kind = Light::Kind::Parallel;
-  } else if (in.next_word() == "cylinder") {
-    in.report(Severity::Error, "E0901", "'cylinder' in a light_source is not supported yet", at);
-    skip_rest(in);
-    return true;
+    draft.parallel = true;
   } else {
     return false;
   }
-  if (light.kind != Light::Kind::Point && light.kind != kind)
-    in.report(Severity::Error, "E0901", "'spotlight' with 'parallel' is not supported yet", at);
-  light.kind = kind;
+  light.kind = draft.parallel && kind != Light::Kind::Cylinder ? Light::Kind::Parallel : kind;
   return true;
+}
+
+int read_size(Reader& in) {
+  return in.integer("number of lights", 1, 10000);
 }
 
 bool at_area_option(Reader& in) {
@@ -43,14 +51,41 @@ bool at_area_option(Reader& in) {
   return std::ranges::find(options, in.next_word()) != std::end(options);
 }
 
-/// The options of an area light are part of it: one message is enough. Without it they do nothing,
-/// as in POV-Ray.
-bool reject_area(Reader& in) {
-  if (in.next_word() == "area_light") {
-    skip_unsupported(in);
-    while (at_area_option(in)) in.skip();
+bool read_area_option(Reader& in, scene::AreaGrid& area) {
+  Span const at = in.next_span();
+  if (in.accept("adaptive")) {
+    area.adaptive = in.integer("adaptive", 0, 100);
+  } else if (in.accept("jitter")) {
+    area.jitter = true;
+  } else if (in.accept("circular")) {
+    area.circular = area.size1 > 1 && area.size2 > 1;
+    if (!area.circular)
+      in.report(Severity::Error, "E0353",
+                fmt::format("a circular area light needs two lights each way at least, it has {} "
+                            "by {}",
+                            area.size1, area.size2),
+                at);
+  } else if (in.accept("orient")) {
+    area.orient = true;
+  } else if (in.accept("area_illumination")) {
+    area.illumination = in.boolean_or(true);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// `area_light` and what acts on it. Without it these do nothing, as in POV-Ray.
+bool read_area(Reader& in, Light& light) {
+  if (in.accept("area_light")) {
+    light.area.emplace();
+    light.area->axis1 = in.vec3("first edge of the area");
+    light.area->axis2 = in.vec3("second edge of the area");
+    light.area->size1 = read_size(in);
+    light.area->size2 = read_size(in);
     return true;
   }
+  if (light.area) return read_area_option(in, *light.area);
   if (!at_area_option(in)) return false;
   in.report(Severity::Warning, "E0257",
             fmt::format("'{}' acts on area lights only", in.next_word()), in.next_span());
@@ -67,13 +102,23 @@ double read_angle(Reader& in, std::string_view name) {
   return 45;
 }
 
+/// Of a cylinder.
+double read_radius(Reader& in, std::string_view name) {
+  Span const at = in.next_span();
+  double const radius = in.number(name);
+  if (radius >= 0) return radius;
+  in.report(Severity::Error, "E0353",
+            fmt::format("a cylinder's {} must not be negative, it is {}", name, radius), at);
+  return 1;
+}
+
 /// `point_at` and the like before or without the word that gives them a meaning.
 bool reject_aim(Reader& in) {
   for (std::string_view word : {"point_at", "radius", "falloff", "tightness"}) {
     Span const at = in.next_span();
     if (!in.accept(word)) continue;
     in.report(Severity::Error, "E0252",
-              fmt::format("'{}' belongs behind 'spotlight'{}", word,
+              fmt::format("'{}' belongs behind 'spotlight' or 'cylinder'{}", word,
                           word == "point_at" ? " or 'parallel'" : ""),
               at);
     if (in.has_value()) in.vec3(word);
@@ -82,17 +127,21 @@ bool reject_aim(Reader& in) {
   return false;
 }
 
-bool read_aim(Reader& in, Light& light) {
+bool read_aim(Reader& in, Draft& draft) {
+  Light& light = draft.light;
+  bool const cylinder = light.kind == Light::Kind::Cylinder;
   if (light.kind == Light::Kind::Point) return reject_aim(in);
   if (in.accept("point_at")) {
     light.point_at = in.vec3("point_at");
     return true;
   }
-  if (light.kind != Light::Kind::Spot) return reject_aim(in);
+  if (!draft.spot && !cylinder) return reject_aim(in);
   if (in.accept("radius"))
-    light.radius_deg = read_angle(in, "radius");
+    (cylinder ? light.radius : light.radius_deg) =
+        cylinder ? read_radius(in, "radius") : read_angle(in, "radius");
   else if (in.accept("falloff"))
-    light.falloff_deg = read_angle(in, "falloff");
+    (cylinder ? light.falloff : light.falloff_deg) =
+        cylinder ? read_radius(in, "falloff") : read_angle(in, "falloff");
   else if (in.accept("tightness"))
     light.tightness = in.number("tightness");
   else
@@ -100,7 +149,33 @@ bool read_aim(Reader& in, Light& light) {
   return true;
 }
 
-bool read_item(Reader& in, Light& light) {
+std::shared_ptr<scene::Object const> read_inner(Reader& in, std::string_view word) {
+  auto object = accept_object(in);
+  if (!object)
+    in.report(Severity::Error, "E0250", fmt::format("{} {{}} must hold an object", word),
+              in.block_span());
+  while (!in.at_end()) reject(in, fmt::format("the end of {}", word));
+  in.close();
+  return object ? std::make_shared<scene::Object const>(std::move(*object)) : nullptr;
+}
+
+bool read_objects(Reader& in, Light& light) {
+  if (in.open("projected_through")) {
+    light.projected_through = read_inner(in, "projected_through");
+  } else if (in.open("looks_like")) {
+    auto const body = read_inner(in, "looks_like");
+    if (!body) return true;
+    auto placed = std::make_shared<scene::Object>(*body);
+    transform_object(*placed, geometry::Transform::translation(light.position));
+    light.looks_like = std::move(placed);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_item(Reader& in, Draft& draft) {
+  Light& light = draft.light;
   geometry::Transform transform;
   if (read_transform(in, transform))
     transform_light(light, transform);
@@ -110,8 +185,13 @@ bool read_item(Reader& in, Light& light) {
     light.fade_distance = in.number("fade_distance");
   else if (in.accept("fade_power"))
     light.fade_power = in.number("fade_power");
+  else if (in.accept("media_interaction"))
+    light.media_interaction = in.boolean_or(true);
+  else if (in.accept("media_attenuation"))
+    light.media_attenuation = in.boolean_or(true);
   else
-    return read_light_photons(in) || reject_area(in) || read_kind(in, light) || read_aim(in, light);
+    return read_light_photons(in) || read_objects(in, light) || read_area(in, light)
+           || read_kind(in, draft) || read_aim(in, draft);
   return true;
 }
 
@@ -126,6 +206,15 @@ void check(Reader& in, Light& light) {
             light.span);
   light.kind = Light::Kind::Point;
   light.colour = black;
+}
+
+/// What is attached to a light moves with it.
+void transform_shared(std::shared_ptr<scene::Object const>& object,
+                      geometry::Transform const& transform) {
+  if (!object) return;
+  auto moved = std::make_shared<scene::Object>(*object);
+  transform_object(*moved, transform);
+  object = std::move(moved);
 }
 
 } // namespace
@@ -147,8 +236,9 @@ scene::Light read_light(Reader& in) {
     }
   }
   light.span = in.block_span();
+  Draft draft{light, light.kind == Light::Kind::Parallel, light.kind == Light::Kind::Spot};
   while (!in.at_end())
-    if (!read_item(in, light)) reject(in, "a light_source item");
+    if (!read_item(in, draft)) reject(in, "a light_source item");
   check(in, light);
   return light;
 }
@@ -156,6 +246,21 @@ scene::Light read_light(Reader& in) {
 void transform_light(Light& light, geometry::Transform const& transform) {
   light.position = transform.point(light.position);
   light.point_at = transform.point(light.point_at);
+  if (light.area) {
+    light.area->axis1 = transform.linear * light.area->axis1;
+    light.area->axis2 = transform.linear * light.area->axis2;
+  }
+  transform_shared(light.projected_through, transform);
+  transform_shared(light.looks_like, transform);
+}
+
+void place_light(scene::Light light, Reader& in) {
+  auto const body = std::exchange(light.looks_like, nullptr);
+  scene_state(in.interpreter()).scene.lights.push_back(std::move(light));
+  if (!body) return;
+  scene::Object visible = *body;
+  visible.no_shadow = true;
+  place_object(std::move(visible), in);
 }
 
 } // namespace abbe::lang

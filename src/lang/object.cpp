@@ -31,6 +31,7 @@ std::optional<Object::Kind> csg_kind(std::string_view word) {
   if (word == "merge") return Object::Kind::Merge;
   if (word == "intersection") return Object::Kind::Intersection;
   if (word == "difference") return Object::Kind::Difference;
+  if (word == "light_group") return Object::Kind::LightGroup;
   return std::nullopt;
 }
 

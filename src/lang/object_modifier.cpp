@@ -61,6 +61,10 @@ bool read_flags(Reader& in, Object& object) {
     object.no_shadow = true;
     return true;
   }
+  if (object.kind == Object::Kind::LightGroup && in.accept("global_lights")) {
+    object.global_lights = in.boolean_or(true);
+    return true;
+  }
   if (in.accept("inverse")) {
     object.inverse = !object.inverse;
     return true;

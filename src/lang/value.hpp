@@ -95,6 +95,7 @@ struct Value {
                    std::shared_ptr<optics::Spectrum const>, std::shared_ptr<scene::Normal const>,
                    std::shared_ptr<NormalMapValue const>, std::shared_ptr<SlopeMapValue const>,
                    std::shared_ptr<TextureMapValue const>, std::shared_ptr<MediaValue const>,
+                   std::shared_ptr<scene::Fog const>, std::shared_ptr<scene::Rainbow const>,
                    Unsupported>;
   Any any;
   Span declared_at;

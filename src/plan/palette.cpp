@@ -24,6 +24,9 @@ public:
   void scene(scene::Scene const& scene) {
     for (auto const& light : scene.lights) light_(light.colour);
     light_(scene.background);
+    for (auto const& fog : scene.fogs) light_(fog.colour);
+    for (auto const& rainbow : scene.rainbows)
+      for (auto const& entry : rainbow.entries) light_(entry.colour);
     light_(scene.settings.ambient_light);
     if (scene.sky_sphere) {
       light_(scene.sky_sphere->emission);

@@ -87,6 +87,12 @@ std::string_view effect_name(Effect effect) {
     return "patterns";
   case Effect::Csg:
     return "csg";
+  case Effect::AreaLights:
+    return "area lights";
+  case Effect::LightGroups:
+    return "light groups";
+  case Effect::Air:
+    return "fog and rainbows";
   }
   return "";
 }

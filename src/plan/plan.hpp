@@ -26,9 +26,12 @@ enum class Effect : std::uint8_t {
   FilteringShadows,
   LayeredTextures,
   Patterns,
-  Csg
+  Csg,
+  AreaLights,
+  LightGroups,
+  Air
 };
-inline constexpr int effect_count = 12;
+inline constexpr int effect_count = 15;
 std::string_view effect_name(Effect);
 /// The switch that puts it off, where there is one.
 std::optional<scene::Switch> switch_of(Effect);

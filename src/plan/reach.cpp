@@ -43,9 +43,19 @@ Reach::Reach(scene::Scene const& scene) : eye_(scene.camera.location) {
       directions.push_back(camera.direction + x * camera.right + y * camera.up);
   for (auto const& light : scene.lights) {
     if (light.shadowless) continue;
+    bool const point =
+        light.kind == scene::Light::Kind::Point || light.kind == scene::Light::Kind::Spot;
+    if (light.area) {
+      if (!point || light.area->orient) return; // ways to it go many ways
+      // From edge to edge, and half a step beyond where places are drawn.
+      for (double const x : {-1.0, 1.0})
+        for (double const y : {-1.0, 1.0})
+          directions.push_back(light.position - eye_ + x * light.area->axis1
+                               + y * light.area->axis2);
+      continue;
+    }
     directions.push_back(light.position - eye_);
-    if (light.kind == scene::Light::Kind::Parallel)
-      directions.push_back(light.position - light.point_at);
+    if (!point) directions.push_back(light.position - light.point_at);
   }
   if (directions.size() > most_directions) return;
   for (Vec3& direction : directions) {

@@ -82,7 +82,19 @@ public:
     if (spectral.requested) find(Effect::SpectralTransport, "a spectral block", spectral.span);
     if (choices_.forces_bands())
       find(Effect::SpectralTransport, choices_.why_bands(), choices_.why_bands_span());
-    for (auto const& light : scene_.lights) colour(light.colour, light.span);
+    for (auto const& light : scene_.lights) {
+      colour(light.colour, light.span);
+      if (light.area) find(Effect::AreaLights, "area_light", light.span);
+      if (light.group != 0) find(Effect::LightGroups, "a light in a light_group", light.span);
+    }
+    for (auto const& fog : scene_.fogs) {
+      find(Effect::Air, "fog", fog.span);
+      colour(fog.colour, fog.span);
+    }
+    for (auto const& rainbow : scene_.rainbows) {
+      find(Effect::Air, "a rainbow", rainbow.span);
+      for (auto const& entry : rainbow.entries) colour(entry.colour, rainbow.span);
+    }
     colour(scene_.background, {});
     colour(scene_.settings.ambient_light, {});
     if (scene_.sky_sphere)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "render/air_compiler.hpp"
 #include "render/compile_objects.hpp"
 #include "render/media_compiler.hpp"
+#include "scene/object_tree.hpp"
 #include "simd/math.hpp"
 
 #include <algorithm>
@@ -10,13 +12,21 @@
 namespace abbe::render {
 namespace {
 
+/// @param air is something in it?
 std::unique_ptr<transport::Lamp const> compile_lamp(scene::Light const& light, Vec3 const& eye,
-                                                    ColourCompiler& colours) {
+                                                    bool air, ColourCompiler& colours) {
   transport::Lamp::Common common;
   common.value = colours.light(light.colour);
   common.shadowless = light.shadowless;
   common.fade_distance = light.fade_distance;
   common.fade_power = light.fade_power;
+  if (light.area) common.area = std::make_shared<transport::Area const>(*light.area);
+  if (light.projected_through) {
+    auto gate = scene::world_of(*light.projected_through, geometry::Transform::translation(-eye));
+    common.gate = std::make_shared<geometry::World const>(
+        gate ? std::move(*gate) : geometry::World({}, {})); // nothing comes through nothing
+  }
+  common.weakened_by_air = air && light.media_attenuation && light.media_interaction;
   return transport::make_lamp(light, light.position - eye, std::move(common));
 }
 
@@ -30,6 +40,22 @@ void compile_sky(scene::Scene const& scene, PigmentCompiler& pigments, ColourCom
   stage.sky_emission = colours.light(scene.sky_sphere->emission);
   stage.to_sky_linear = scene.sky_sphere->placement.inverse_linear;
   stage.to_sky_offset = scene.sky_sphere->placement.inverse_offset;
+}
+
+/// Which lamps light the surfaces of which groups: those of the group itself, and those of no group
+/// where the outermost one that it stands in says so. This is POV-Ray's way.
+std::vector<std::vector<bool>> lit_groups(scene::Scene const& scene) {
+  std::vector<std::vector<bool>> out;
+  if (scene.light_groups.empty()) return out;
+  for (std::size_t of = 0; of <= scene.light_groups.size(); ++of) {
+    out.emplace_back();
+    bool global = true;
+    for (std::size_t group = of; group != 0; group = scene.light_groups[group - 1].outer)
+      global = scene.light_groups[group - 1].global_lights;
+    for (scene::Light const& light : scene.lights)
+      out.back().push_back(light.group == 0 ? global : light.group == of);
+  }
+  return out;
 }
 
 /// Throughput below which a path is dropped when the scene does not say: a pixel loses some ten
@@ -72,6 +98,7 @@ double brightest(Stage const& stage) {
     pigment = std::max(pigment, largest({stage.textures.colours.data() + at, channels}));
   double const sky = stage.sky_pigments.empty() ? 0 : largest(stage.sky_emission);
   double bound = std::max({pigment * surface, pigment * sky, largest(stage.background)});
+  for (auto const& effect : stage.air) bound += effect->brightest();
   // `reflection { exponent }` adds a power of what it sees, which may be another such mirror. Where
   // that grows it is bounded by the levels that a path has; perhaps by nothing.
   for (int level = 0; level < stage.max_trace_level; ++level) {
@@ -113,11 +140,13 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   stage.textures.channels = stage.channels;
   stage.textures.opacity_version = scene.settings.version;
 
+  stage.air = compile_air(scene, colours);
+  stage.lit_groups = lit_groups(scene);
   PigmentCompiler pigments(colours, stage);
   MediaCompiler media(scene.settings, plan, colours, stage);
   compile_objects(scene, taken, plan, colours, pigments, media, stage);
   for (auto const& light : scene.lights)
-    stage.lamps.push_back(compile_lamp(light, scene.camera.location, colours));
+    stage.lamps.push_back(compile_lamp(light, scene.camera.location, !stage.air.empty(), colours));
   compile_sky(scene, pigments, colours, stage);
   stage.brightest = brightest(stage);
   return stage;

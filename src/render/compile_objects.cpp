@@ -24,6 +24,8 @@ struct Piece {
   CsgTree tree;
   std::shared_ptr<scene::Interior const> interior;
   std::uint8_t mask = 0;
+  std::uint16_t light_group = 0;
+  bool hollow = false; ///< all of it
   bool opaque = true;
 };
 
@@ -76,10 +78,14 @@ private:
   void add_solid(Piece&& piece) {
     if (is_bare(piece.tree)) return;
     CompiledSolid solid;
+    solid.light_group = piece.light_group;
+    solid.has_medium = piece.interior != nullptr;
+    solid.shuts_out_air = !stage_.air.empty() && !piece.hollow;
     if (piece.interior) {
-      solid.has_medium = true;
       solid.medium = media_.add(piece.interior);
       solid.priority = piece.interior->priority;
+    }
+    if (solid.counts()) {
       solid.leaks = leaks(piece.tree);
       bool const alone = piece.tree.op == CsgTree::Op::Primitive;
       auto const boundary =
@@ -115,6 +121,7 @@ private:
       out.push_back(primitive(object));
       break;
     case Object::Kind::Union:
+    case Object::Kind::LightGroup:
       for (auto const& child : object.children)
         for (auto& piece : pieces(child)) out.push_back(std::move(piece));
       // The inverse of a union is one intersection; of none, it is all of space.
@@ -149,9 +156,12 @@ private:
     if (parts.size() == 1) return std::move(parts.front());
     Piece out;
     out.tree.op = op;
+    out.hollow = true;
+    if (!parts.empty()) out.light_group = parts.front().light_group;
     for (auto& part : parts) {
       if (!out.interior) out.interior = part.interior;
       out.mask |= part.mask;
+      out.hollow = out.hollow && part.hollow;
       out.opaque = out.opaque && part.opaque;
       out.tree.children.push_back(std::move(part.tree));
     }
@@ -240,6 +250,8 @@ private:
     if (!gathers) std::erase_if(surface.layers, [&](int number) { return invisible(number); });
     stage_.textures.surfaces.add(std::move(surface), object);
     piece.interior = object.interior;
+    piece.light_group = object.light_group;
+    piece.hollow = object.hollow.value_or(false);
     bool const image = !object.no_image.value_or(false);
     bool const reflection = !object.no_reflection.value_or(false);
     bool const shadow = !object.no_shadow.value_or(false);

@@ -85,7 +85,7 @@ RenderOptions options_of_pass(RenderOptions const& options, int pass) {
 }
 
 bool passes_differ(plan::Plan const& plan, AntiAliasing const& anti_aliasing) {
-  return plan.has(plan::Effect::StochasticDispersion)
+  return plan.has(plan::Effect::StochasticDispersion) || plan.has(plan::Effect::AreaLights)
          || (anti_aliasing.method == 1 && anti_aliasing.jitter > 0);
 }
 

@@ -23,6 +23,11 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       options_(options),
       tracer_(tracer),
       frame_key_(options.seed),
+      draws_(!stage.combs.empty() || options.anti_aliasing.jitter != 0
+             || std::ranges::any_of(stage.lamps,
+                                    [](auto const& lamp) {
+                                      return lamp->area() != nullptr && lamp->area()->grid().jitter;
+                                    })),
       grid_(options.anti_aliasing.method == 2 ? std::int64_t{1} << (options.anti_aliasing.depth - 1)
                                               : 1),
       negative_is_wrong_(options.check_finite && transport::negative_light_is_wrong(stage)) {}
@@ -84,7 +89,7 @@ void PixelSampler::take(Sampled* out) {
 }
 
 RandomKey PixelSampler::key_of(Pixel const& pixel) const {
-  if (stage_.combs.empty() && options_.anti_aliasing.jitter == 0) return frame_key_; // nothing asks
+  if (!draws_) return frame_key_;
   return frame_key_.child(static_cast<std::uint64_t>(pixel.y))
       .child(static_cast<std::uint64_t>(pixel.x));
 }

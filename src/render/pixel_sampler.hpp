@@ -104,6 +104,7 @@ private:
   RenderOptions const& options_;
   Tracer& tracer_;
   RandomKey frame_key_;
+  bool draws_;        ///< something asks for random numbers of pixels
   std::int64_t grid_; ///< steps per pixel of method 2
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;

@@ -7,8 +7,11 @@
 #include "base/vec.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/shape_ptr.hpp"
+#include "scene/air.hpp"
+#include "scene/colour.hpp"
 #include "scene/dispersion_mode.hpp"
 #include "scene/effects.hpp"
+#include "scene/light.hpp"
 #include "texture/pattern.hpp"
 
 #include <cstdint>
@@ -21,7 +24,6 @@
 #include <vector>
 
 namespace abbe::optics {
-class Spectrum;
 class Glass;
 class Conductor;
 } // namespace abbe::optics
@@ -29,15 +31,6 @@ class Conductor;
 /// A scene as plain data: what the language evaluates to and the renderer reads. No algorithms.
 /// World coordinates are the scene's own; angles are degrees as written.
 namespace abbe::scene {
-
-/// A colour as written: rgb (linear, scene white = 1 1 1) or a spectrum, with POV-Ray's two kinds
-/// of transparency. With a spectrum, `rgb` scales it (white leaves it alone).
-struct Colour {
-  Vec3 rgb{0};
-  double filter = 0;
-  double transmit = 0;
-  std::shared_ptr<optics::Spectrum const> spectrum;
-};
 
 struct Pigment {
   Span span;
@@ -144,15 +137,14 @@ struct Interior {
                     ///< entered counts
 };
 
-struct Light;
-
 /// A shape or a CSG combination. While a scene is read, `placement` takes the shape or the children
 /// to the parent's space; clipping objects, textures and lights are in the parent's space already
 /// (so that nothing is ever transformed there and back). In a finished Scene all of that is worked
 /// in: placements of combinations are the identity, and leaves, clipping objects and textures are
 /// in world space; every leaf has its texture, its interior and all its flags.
 struct Object {
-  enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference };
+  /// LightGroup: a union while it is read, whose lights and objects belong together.
+  enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference, LightGroup };
   Span span;
   Kind kind = Kind::Shape;
   geometry::ShapePtr shape;     ///< of Kind::Shape
@@ -166,24 +158,11 @@ struct Object {
   Few<Layers> face_textures;
   std::shared_ptr<Interior const> interior;
   bool inverse = false;
-  bool uv_mapping = false; ///< of all its textures
+  bool uv_mapping = false;       ///< of all its textures
+  bool global_lights = false;    ///< of a LightGroup: lights outside of it light it too
+  std::uint16_t light_group = 0; ///< in a finished Scene: number in Scene::light_groups, or 0
   std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
   Few<Object> bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
-};
-
-struct Light {
-  enum class Kind : std::uint8_t { Point, Spot, Parallel };
-  Span span;
-  Kind kind = Kind::Point;
-  Vec3 position{0};
-  Colour colour{Vec3(1), 0, 0, nullptr};
-  Vec3 point_at{0, 0, 1};
-  double radius_deg = 30;
-  double falloff_deg = 45;
-  double tightness = 0;
-  bool shadowless = false;
-  double fade_distance = 0;
-  double fade_power = 0;
 };
 
 /// As POV-Ray's camera after look_at, angle and transforms have been worked in.
@@ -257,6 +236,9 @@ struct Scene {
   Camera camera;
   Colour background;
   std::optional<SkySphere> sky_sphere;
+  std::vector<Fog> fogs;
+  std::vector<Rainbow> rainbows;
+  std::vector<LightGroup> light_groups; ///< number 1 first
   Settings settings;
 };
 

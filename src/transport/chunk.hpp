@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/random.hpp"
 #include "transport/lanes.hpp"
 #include "transport/media_stacks.hpp"
 #include "transport/rays.hpp"
@@ -37,7 +38,8 @@ struct Chunk : ChunkLight {
   std::uint16_t level[chunk_width];
   std::uint32_t path[chunk_width]; ///< with Paths
   std::uint32_t sample[chunk_width];
-  double travelled[chunk_width]; ///< since the last real surface, at the hit; with priorities
+  RandomKey const* jitter = nullptr; ///< of area lights, by sample
+  double travelled[chunk_width];     ///< since the last real surface, at the hit; with priorities
 
   // What they met.
   Vectors point, point_error;

@@ -19,9 +19,22 @@ MediaStacks::Id MediaStacks::entered(Id stack, geometry::SolidId solid) {
   auto const [known, fresh] = known_.try_emplace(key, static_cast<Id>(nodes_.size()));
   if (fresh) {
     CompiledSolid const& own = stage_.solids[solid];
-    bool const rules = stack == none || own.priority >= nodes_[stack].priority;
-    nodes_.push_back({solid, stack, rules ? own.medium : nodes_[stack].medium,
-                      rules ? own.priority : nodes_[stack].priority});
+    Node node = nodes_[stack];
+    node.solid = solid;
+    node.below = stack;
+    node.shut = node.shut || own.shuts_out_air;
+    if (own.has_medium && own.priority >= node.priority) {
+      node.medium = own.medium;
+      node.priority = own.priority;
+    }
+    nodes_.push_back(node);
+    if (own.has_medium) {
+      Id const id = static_cast<Id>(nodes_.size() - 1);
+      Id const media = node.media == stack ? id : entered(node.media, solid);
+      nodes_[id].media = media;
+      latest_[(key ^ key >> 32) % remembered] = {key, id};
+      return id;
+    }
   }
   latest = {key, known->second};
   return known->second;
@@ -36,16 +49,19 @@ MediaStacks::Id MediaStacks::without(Id stack, geometry::SolidId solid) {
 }
 
 MediaStacks::Id MediaStacks::after_open(Id stack, geometry::SolidId solid) {
-  int const medium = stage_.solids[solid].medium;
-  for (Id id = stack; id != none; id = nodes_[id].below)
-    if (stage_.solids[nodes_[id].solid].medium == medium) return without(stack, nodes_[id].solid);
+  CompiledSolid const& own = stage_.solids[solid];
+  for (Id id = stack; id != none; id = nodes_[id].below) {
+    CompiledSolid const& other = stage_.solids[nodes_[id].solid];
+    if (own.has_medium ? other.has_medium && other.medium == own.medium : nodes_[id].solid == solid)
+      return without(stack, nodes_[id].solid);
+  }
   return entered(stack, solid);
 }
 
 MediaStacks::Id MediaStacks::after(Id stack, std::span<geometry::SurfaceCrossing const> crossings) {
   auto const closed = [&](geometry::SurfaceCrossing const& crossing) {
     CompiledSolid const& solid = stage_.solids[crossing.solid];
-    return solid.has_medium && !solid.open && crossing.toggles;
+    return solid.counts() && !solid.open && crossing.toggles;
   };
   for (auto const& crossing : crossings)
     if (closed(crossing) && !crossing.entering) stack = without(stack, crossing.solid);
@@ -61,7 +77,9 @@ MediaStacks::Id MediaStacks::after(Id stack, std::span<geometry::SurfaceCrossing
     bool const again = std::any_of(crossings.begin(), crossing, [&](auto const& earlier) {
       return open_medium(earlier) == medium;
     });
-    if (medium >= 0 && !again) stack = after_open(stack, crossing->solid);
+    CompiledSolid const& solid = stage_.solids[crossing->solid];
+    bool const empty = !solid.has_medium && solid.shuts_out_air && solid.open;
+    if (empty || (medium >= 0 && !again)) stack = after_open(stack, crossing->solid);
   }
   return stack;
 }

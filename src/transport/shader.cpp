@@ -185,7 +185,8 @@ void Shader<Lanes>::shade_layer(Layer const& layer, Side const& side, RaySet ray
     bool const scatters = opaque && (finish.diffuse != 0 || finish.diffuse_back != 0);
     if (shines || scatters)
       for (std::size_t lamp = 0; lamp < stage_.lamps.size(); ++lamp)
-        add_lamp(lamp, finish, pigment, face, side.double_illuminate, rays, out);
+        add_lamp(lamp, finish, pigment, face, side.double_illuminate, lit_by(lamp, side, rays),
+                 out);
   }
   double* mirror = nullptr;
   if (finish.reflection) {

@@ -167,6 +167,17 @@ private:
                       Side const& side, LayerFace const& face, RaySet rays, SurfaceLight& out);
 
   // shader_lamps.cpp
+  /// Those whose group of lights the lamp belongs to.
+  RaySet lit_by(std::size_t lamp, Side const& side, RaySet rays) const;
+  /// What a lamp adds that shines from one place, but for shadows. @param out a value a lane
+  /// @return rays whose surface it lights
+  RaySet find_added(Lamp const& lamp, Aim const& aim, surface::CompiledFinish const& finish,
+                    Pigments const& pigment, Facing const& facing, bool double_illuminate,
+                    RaySet rays, SurfaceLight const& surface, double* out);
+  /// The same as a mean over the places of an area. @param middle of it
+  RaySet add_places(std::size_t number, Aim const& middle, surface::CompiledFinish const& finish,
+                    Pigments const& pigment, Facing const& facing, bool double_illuminate,
+                    RaySet rays, SurfaceLight const& surface, double* out);
   void add_lamp(std::size_t lamp, surface::CompiledFinish const& finish, Pigments const& pigment,
                 Facing const& facing, bool double_illuminate, RaySet rays, SurfaceLight& out);
   /// What a thin film on the surface makes of a lamp's light. @param light a value a lane

@@ -96,9 +96,74 @@ void Shader<Lanes>::add_film(surface::CompiledFinish const& finish, Aim const& a
 }
 
 template <int Lanes>
+RaySet Shader<Lanes>::lit_by(std::size_t lamp, Side const& side, RaySet rays) const {
+  if (stage_.lit_groups.empty()) return rays;
+  RaySet lit = 0;
+  each_of(rays, [&](std::size_t r) {
+    auto const solid = side.crossing != nullptr ? side.crossing->solid : chunk_.hit[r].solid;
+    lit |= RaySet{stage_.lit_groups[stage_.solids[solid].light_group][lamp]} << r;
+  });
+  return lit;
+}
+
+template <int Lanes>
+RaySet Shader<Lanes>::find_added(Lamp const& lamp, Aim const& aim,
+                                 surface::CompiledFinish const& finish, Pigments const& pigment,
+                                 Facing const& facing, bool double_illuminate, RaySet rays,
+                                 SurfaceLight const& surface, double* out) {
+  Lit lit;
+  rays = light_up(lamp, aim, *facing.normal, finish, pigment, double_illuminate, rays, lit);
+  if (rays == 0) return 0;
+  Values tint;
+  if (finish.metallic != 0)
+    each_of(rays, [&](std::size_t r) {
+      tint[r] = finish.metallic * (1 - metallic_falloff(aim.cosine[r]));
+    });
+  find_gloss(lanes_of(surface.passed, pigment),
+             {by_channel([&](std::uint16_t c) { return lamp.value()[c]; }),
+              lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
+              lit.shines ? lit.shine.value : nullptr, finish.metallic != 0 ? tint.value : nullptr},
+             out);
+  if (finish.irid != 0) add_film(finish, aim, facing, rays, out);
+  return rays;
+}
+
+template <int Lanes>
+RaySet Shader<Lanes>::add_places(std::size_t number, Aim const& middle,
+                                 surface::CompiledFinish const& finish, Pigments const& pigment,
+                                 Facing const& facing, bool double_illuminate, RaySet rays,
+                                 SurfaceLight const& surface, double* out) {
+  Lamp const& lamp = *stage_.lamps[number];
+  Area const& area = *lamp.area();
+  auto* const axes = arena_.take<Area::Axes>(chunk_.count);
+  for (std::size_t r = 0; r < chunk_.count; ++r) axes[r] = area.axes(middle.direction.get(r));
+  auto* const points = arena_.take<Vectors>(1);
+  auto* const aim = arena_.take<Aim>(1);
+  double* const added = take_lanes();
+  double const share = 1.0 / static_cast<double>(area.places());
+  RaySet lit = 0;
+  for (int v = 0; v < area.grid().size2; ++v)
+    for (int u = 0; u < area.grid().size1; ++u) {
+      // The lamp moved one way is the surface moved the other way.
+      for (std::size_t r = 0; r < (chunk_.count + 7) / 8 * 8; ++r) {
+        std::size_t const own = std::min(r, chunk_.count - 1);
+        RandomKey const key = chunk_.jitter[chunk_.sample[own]].child(number);
+        points->set(r, chunk_.point.get(own) - area.offset(axes[own], u, v, key));
+      }
+      lamp.aim(*points, *facing.normal, chunk_.count, *aim);
+      RaySet const from_here =
+          find_added(lamp, *aim, finish, pigment, facing, double_illuminate, rays, surface, added);
+      each_lane(from_here, [&](std::size_t, std::size_t k) { out[k] += share * added[k]; });
+      lit |= from_here;
+    }
+  return lit;
+}
+
+template <int Lanes>
 void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& finish,
                              Pigments const& pigment, Facing const& facing, bool double_illuminate,
                              RaySet rays, SurfaceLight& out) {
+  if (rays == 0) return;
   Lamp const& lamp = *stage_.lamps[number];
   if (out.lit[number] == 0) lamp.aim(chunk_.point, chunk_.normal, chunk_.count, aims_[number]);
   Aim* of_layer = nullptr;
@@ -107,21 +172,14 @@ void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& 
     lamp.aim(chunk_.point, *facing.normal, chunk_.count, *of_layer);
   }
   Aim const& aim = of_layer != nullptr ? *of_layer : aims_[number];
-  Lit lit;
-  rays = light_up(lamp, aim, *facing.normal, finish, pigment, double_illuminate, rays, lit);
-  if (rays == 0) return;
-  Values tint;
-  if (finish.metallic != 0)
-    each_of(rays, [&](std::size_t r) {
-      tint[r] = finish.metallic * (1 - metallic_falloff(aim.cosine[r]));
-    });
   double* const added = take_lanes();
-  find_gloss(lanes_of(out.passed, pigment),
-             {by_channel([&](std::uint16_t c) { return lamp.value()[c]; }),
-              lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
-              lit.shines ? lit.shine.value : nullptr, finish.metallic != 0 ? tint.value : nullptr},
-             added);
-  if (finish.irid != 0) add_film(finish, aim, facing, rays, added);
+  if (lamp.area() != nullptr && lamp.area()->grid().illumination) {
+    std::fill_n(added, chunk_.count * each(), 0.0);
+    rays = add_places(number, aim, finish, pigment, facing, double_illuminate, rays, out, added);
+  } else {
+    rays = find_added(lamp, aim, finish, pigment, facing, double_illuminate, rays, out, added);
+  }
+  if (rays == 0) return;
   // Light without shadows is the surface's own.
   double*& to = lamp.shadowless() ? out.own : out.of_lamp[number];
   if (to == nullptr) to = take_lanes(0.0);

@@ -23,7 +23,10 @@ Shadows::Shadows(Stage const& stage, Arena& arena, geometry::Scratch& scratch, S
 
 void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet lit,
                   double const* light) {
-  Rays& to = queues_.of({chunk.kind, lamp}, chunk.kind, fields_);
+  bool const area = stage_.lamps[lamp]->area() != nullptr;
+  AreaPoints* const points =
+      area ? &areas_.try_emplace({chunk.kind, lamp}, chunk.kind, fields_).first->second : nullptr;
+  Rays& to = area ? points->rays : queues_.of({chunk.kind, lamp}, chunk.kind, fields_);
   std::size_t const count = static_cast<std::size_t>(std::popcount(lit)), n = chunk.each;
   std::size_t const first = to.add(count);
   std::uint8_t ray[chunk_width];
@@ -43,6 +46,7 @@ void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet l
     to.stack[k] = through ? chunk.after[r] : chunk.before[r];
     to.channel[k] = chunk.channels[r * n];
   }
+  if (area) points->add(chunk, lamp, *stage_.lamps[lamp], aim, lit);
   if (chunk.kind.listed()) runs.take(chunk.channels, to.channels.data() + first * n, n);
   if (fields_.travelled) std::fill_n(to.travelled.data() + first, count, 0.0);
   if (fields_.path) runs.take(chunk.path, to.path.data() + first);
@@ -50,6 +54,11 @@ void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet l
 
 void Shadows::add_to_film(Rays const& rays, std::size_t k) {
   double const* const light = rays.light_of(k);
+  if (arrived_ != nullptr) {
+    std::size_t const n = rays.kind().size();
+    std::copy_n(light, n, arrived_->data() + rays.slot[k] * n);
+    return;
+  }
   for (std::uint32_t c = 0; c < rays.kind().size(); ++c) {
     film_[rays.slot[k] + c] += light[c];
     if (fields_.path)
@@ -58,13 +67,19 @@ void Shadows::add_to_film(Rays const& rays, std::size_t k) {
 }
 
 void Shadows::finish(geometry::Groups const& groups) {
-  queues_.each([&](Key const&, Rays& rays) {
-    finish(rays, groups);
+  queues_.each([&](Key const& key, Rays& rays) {
+    finish(rays, *stage_.lamps[key.lamp], groups);
     rays.clear();
   });
+  for (auto& [key, points] : areas_)
+    if (points.rays.count() > 0) {
+      finish(points, *stage_.lamps[key.lamp], groups);
+      points.clear();
+    }
 }
 
-void Shadows::finish(Rays& rays, geometry::Groups const& groups) {
+void Shadows::finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups) {
+  if (lamp.gate() != nullptr) pass_gate(rays, *lamp.gate());
   blocked_.resize(rays.count());
   stage_.world->occluded(rays.lines(groups), opaque_shadow_bit, rays.rest.data(), scratch_,
                          blocked_.data());
@@ -73,10 +88,41 @@ void Shadows::finish(Rays& rays, geometry::Groups const& groups) {
     for (std::size_t k = 0; k < rays.count(); ++k)
       if (blocked_[k] == 0) rays.move(k, left++);
     rays.keep_first(left);
-    return filter(rays, groups);
+    return filter(rays, lamp, groups);
   }
-  for (std::size_t k = 0; k < rays.count(); ++k)
-    if (blocked_[k] == 0) add_to_film(rays, k);
+  for (std::size_t k = 0; k < rays.count(); ++k) {
+    if (blocked_[k] != 0) continue;
+    if (lamp.weakened_by_air()) weaken(rays, k, rays.rest[k]);
+    add_to_film(rays, k);
+  }
+}
+
+void Shadows::pass_gate(Rays& rays, geometry::World const& gate) {
+  anywhere_.assign(rays.count(), {});
+  geometry::RayLines lines = rays.lines(starts_[0]);
+  lines.start = anywhere_.data();
+  gate.intersect(lines, 0xff, rays.rest.data(), scratch_, hits_);
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < rays.count(); ++k) {
+    bool const met =
+        hits_.hit[k].kind != geometry::RayHit::Kind::Nothing && hits_.t[k] < rays.rest[k];
+    if (!met) continue;
+    rays.move(k, left);
+    rays.rest[left++] = hits_.t[k];
+  }
+  rays.keep_first(left);
+}
+
+void Shadows::weaken(Rays& rays, std::size_t k, double distance) {
+  if (!(distance > 0) || !stacks_.in_air(rays.stack[k])) return;
+  channels_.resize(rays.kind().size());
+  channels_of(rays, k, channels_.data());
+  Vectors origin, direction;
+  origin.set(0, rays.origin.get(k));
+  direction.set(0, rays.direction.get(k));
+  AirWay const way{rays.kind().size(), 1,      &origin, &direction, &distance, channels_.data(),
+                   rays.light_of(k),   nullptr};
+  for (auto const& effect : stage_.air) effect->to_lamp(way);
 }
 
 Passage Shadows::passage(Rays& rays, std::size_t k, double const* distance) {
@@ -85,7 +131,7 @@ Passage Shadows::passage(Rays& rays, std::size_t k, double const* distance) {
   return {1, rays.kind().size(), channels_.data(), distance, rays.light_of(k), true};
 }
 
-void Shadows::filter(Rays& rays, geometry::Groups const& groups) {
+void Shadows::filter(Rays& rays, Lamp const& lamp, geometry::Groups const& groups) {
   geometry::Groups const* from = &groups;
   for (int turn = 0; rays.count() > 0; turn = 1 - turn) {
     stage_.world->intersect(rays.lines(*from), filter_shadow_bit, rays.rest.data(), scratch_,
@@ -98,8 +144,8 @@ void Shadows::filter(Rays& rays, geometry::Groups const& groups) {
       bool const met = hits_.hit[k].kind != geometry::RayHit::Kind::Nothing
                        && hits_.t[k] + hits_.error[k] < rays.rest[k];
       if (!met)
-        arrive(rays, k);
-      else if (pass(rays, k, starts))
+        arrive(rays, lamp, k);
+      else if (pass(rays, lamp, k, starts))
         rays.move(k, left++);
     }
     rays.keep_first(left);
@@ -107,7 +153,8 @@ void Shadows::filter(Rays& rays, geometry::Groups const& groups) {
   }
 }
 
-void Shadows::arrive(Rays& rays, std::size_t k) {
+void Shadows::arrive(Rays& rays, Lamp const& lamp, std::size_t k) {
+  if (lamp.weakened_by_air()) weaken(rays, k, rays.rest[k]);
   double rest = std::max(rays.rest[k], 0.0);
   double const travelled = fields_.travelled ? rays.travelled[k] : 0;
   if (rays.rest[k] >= 0 && rays.stack[k] != MediaStacks::none) {
@@ -129,12 +176,13 @@ void Shadows::arrive(Rays& rays, std::size_t k) {
   add_to_film(rays, k);
 }
 
-bool Shadows::pass(Rays& rays, std::size_t k, geometry::Groups& starts) {
+bool Shadows::pass(Rays& rays, Lamp const& lamp, std::size_t k, geometry::Groups& starts) {
   using Kind = geometry::RayHit::Kind;
   geometry::RayHit& hit = hits_.hit[k];
   geometry::HitGroup* const group =
       hit.kind == Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
   double const t = hits_.t[k];
+  if (lamp.weakened_by_air()) weaken(rays, k, t);
   double in_last = t;
   Passage way = passage(rays, k, &in_last);
   MediaStacks::Id before = rays.stack[k];
@@ -187,7 +235,7 @@ bool Shadows::pass(Rays& rays, std::size_t k, geometry::Groups& starts) {
   }
   if (rays.rest[k] > 0) return true;
   rays.rest[k] = 0;
-  arrive(rays, k);
+  arrive(rays, lamp, k);
   return false;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "transport/area_points.hpp"
 #include "transport/emitter.hpp"
 #include "transport/way.hpp"
 
+#include <map>
 #include <vector>
 
 namespace abbe::transport {
@@ -26,14 +28,24 @@ private:
     std::size_t lamp;
     auto operator<=>(Key const&) const = default;
   };
-  void finish(Rays& rays, geometry::Groups const& groups);
+  /// @param lamp that they go to
+  void finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups);
+  /// Ways to places of an area, as many as decide how much of its light comes.
+  void finish(AreaPoints& points, Lamp const& lamp, geometry::Groups const& groups);
+  /// The way to a place of the area of point k. @param slot that it has while it is traced
+  static void add_way(AreaPoints& points, Area const& area, std::size_t k, std::size_t place,
+                      std::size_t slot);
+  /// What comes through the lamp's gate goes on as far as the gate; all else is dropped.
+  void pass_gate(Rays& rays, geometry::World const& gate);
+  /// What fog leaves of light on a piece of its way, where the ray starts in the open.
+  void weaken(Rays& rays, std::size_t place, double distance);
   /// Through what filters light. Leaves in `rays` those that go on behind it, as many as it
   /// returns.
-  void filter(Rays& rays, geometry::Groups const& groups);
+  void filter(Rays& rays, Lamp const& lamp, geometry::Groups const& groups);
   /// @param place of a ray among those in work @return false: nothing is left of its light, or it
   /// has arrived
-  bool pass(Rays& rays, std::size_t place, geometry::Groups& starts);
-  void arrive(Rays& rays, std::size_t place);
+  bool pass(Rays& rays, Lamp const& lamp, std::size_t place, geometry::Groups& starts);
+  void arrive(Rays& rays, Lamp const& lamp, std::size_t place);
   void add_to_film(Rays const& rays, std::size_t place);
   Passage passage(Rays& rays, std::size_t place, double const* distance);
 
@@ -46,10 +58,14 @@ private:
   Way way_;
   Rays::Fields fields_;
   Queues<Key> queues_;
+  std::map<Key, AreaPoints> areas_;
+  std::vector<double>* arrived_ = nullptr; ///< of ways to places: light goes here, not to the film
   geometry::Hits hits_;
   geometry::Groups starts_[2];
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint16_t> channels_;
+  std::vector<geometry::RayStart> anywhere_;
+  std::vector<double> to_gate_;
 };
 
 } // namespace abbe::transport

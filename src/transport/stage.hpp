@@ -6,6 +6,7 @@
 #include "optics/comb.hpp"
 #include "optics/glass.hpp"
 #include "surface/reader.hpp"
+#include "transport/air/air_effect.hpp"
 #include "transport/cameras/camera.hpp"
 #include "transport/lamps/lamp.hpp"
 #include "transport/segments/segment.hpp"
@@ -40,10 +41,14 @@ struct Medium {
 };
 
 struct CompiledSolid {
-  int medium = 0;          ///< of its inside
-  bool has_medium = false; ///< an interior was given: it counts as a medium
-  int priority = 0;        ///< of the medium among those that overlap
-  bool leaks = false;      ///< rays may enter it and not leave it: left at its bounds
+  int medium = 0;             ///< of its inside
+  bool has_medium = false;    ///< an interior was given: it counts as a medium
+  bool shuts_out_air = false; ///< it is not hollow, and the scene has fog or the like
+  std::uint16_t light_group = 0;
+  /// Is it kept in mind that a ray is inside of it?
+  bool counts() const { return has_medium || shuts_out_air; }
+  int priority = 0;   ///< of the medium among those that overlap
+  bool leaks = false; ///< rays may enter it and not leave it: left at its bounds
   /// Its surface does not enclose it: a ray that crosses it, whichever way, leaves what it is
   /// inside of and enters what it is not inside of, as in POV-Ray.
   bool open = false;
@@ -63,6 +68,9 @@ struct Stage {
   std::vector<Medium> media;                                 ///< [0] is air
   std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
   std::vector<std::unique_ptr<Lamp const>> lamps;
+  /// Does the lamp light surfaces of the group? By group and lamp; empty where there are no groups.
+  std::vector<std::vector<bool>> lit_groups;
+  Air air; ///< what is in it, the nearest to the camera first
   /// Light of different combs is kept apart on the film because the wavelengths that it stands for
   /// differ.
   std::vector<optics::Comb> combs;

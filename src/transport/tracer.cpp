@@ -41,7 +41,7 @@ Tracer::Tracer(Stage const& stage, Footprint footprint, PathRecord* record)
       way_(stage, stacks_),
       aims_(stage.lamps.size()) {
   for (geometry::SolidId solid = 0; solid < stage.solids.size(); ++solid)
-    if (stage.solids[solid].has_medium && !stage.solids[solid].sheet)
+    if (stage.solids[solid].counts() && !stage.solids[solid].sheet)
       media_bounds_.push_back(stage.world->bounds(solid));
   if (stage.camera->has_one_point()) camera_stack_ = inside_at(Vec3(0));
 }
@@ -57,7 +57,7 @@ MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
   std::vector<geometry::SolidId> solids;
   stage_.world->containing(point, *scratch_, solids);
   for (auto const solid : solids)
-    if (stage_.solids[solid].has_medium && !stage_.solids[solid].sheet)
+    if (stage_.solids[solid].counts() && !stage_.solids[solid].sheet)
       stack = stacks_.entered(stack, solid);
   return stack;
 }
@@ -96,6 +96,9 @@ void Tracer::trace(PicturePoints const& points, std::span<SampleKey const> keys)
   film_.start_samples(keys.size());
   waves_.start_samples(keys);
   paths_.start();
+  constexpr std::uint64_t of_areas = 0xa3ea;
+  jitter_.clear();
+  for (SampleKey const& key : keys) jitter_.push_back(key.pixel.child(key.number).child(of_areas));
   emitter_.start_samples(keys.size());
   captures_.start();
   adaptive_.start();
@@ -233,7 +236,7 @@ BucketKey Tracer::plain_meeting(MediaStacks::Id before, geometry::RayHit const& 
   BucketKey key;
   key.kind = BucketKey::Kind::Surface;
   key.entering = hit.entering;
-  key.moves = before != after;
+  key.moves = stacks_.moves(before, after);
   key.surface = surface_class(stage_.textures, hit.primitive);
   key.before = stacks_.medium(before);
   key.after = stacks_.medium(after);
@@ -271,7 +274,7 @@ BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
   bool const shown =
       !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after_[k], hit, group);
   key.after = stacks_.medium(after_[k]);
-  key.moves = before != after_[k];
+  key.moves = stacks_.moves(before, after_[k]);
   if (group != nullptr) {
     key.kind = BucketKey::Kind::Several;
     key.number = hits_.group[k];
@@ -313,6 +316,16 @@ void Tracer::gather(QueueKey const& key, Rays const& rays, std::span<std::uint32
   runs.take(rest_.data(), chunk_rest_.value);
   runs.take(hits_.t.data(), chunk_way_.value);
   runs.take(rays.light.data(), c.light, n);
+  c.jitter = jitter_.data();
+  if (!stage_.air.empty()) {
+    vectors(air_.origin, rays.origin);
+    air_.rays = 0;
+    for (std::size_t r = 0; r < count; ++r) {
+      bool const met = c.hit[r].kind != geometry::RayHit::Kind::Nothing;
+      air_.distance[r] = met ? chunk_way_[r] : infinity;
+      air_.rays |= RaySet{stacks_.in_air(rays.stack[places[r]])} << r;
+    }
+  }
   for (std::size_t r = 0; r < count; ++r)
     c.sample[r] = static_cast<std::uint32_t>(film_.sample_of(c.slot[r]));
   if (kind.listed()) {

@@ -97,6 +97,7 @@ private:
   void pass_on();
   Face face_of(LightKind const& kind) const;
   void travel(bool moves);
+  void pass_air();
   void find_indices();
   Shares split_lanes(Face const& face);
   /// The surface's own light, what lamps add to it, and what it lets pass and mirrors.
@@ -151,10 +152,17 @@ private:
   std::vector<std::uint32_t> path_;
   std::vector<std::uint16_t> channels_;
   std::vector<Aim> aims_;
+  std::vector<RandomKey> jitter_; ///< by sample
   /// Rays of samples that are followed later, the latest first.
   std::vector<std::vector<std::pair<QueueKey, Rays>>> waiting_;
   Chunk chunk_;
   Values chunk_rest_, chunk_way_;
+  /// Where the chunk's rays come through open air; where there is something in it.
+  struct {
+    RaySet rays = 0;
+    Vectors origin;
+    Values distance;
+  } air_;
 };
 
 } // namespace abbe::transport

@@ -25,7 +25,29 @@ void Tracer::meet(BucketKey const& key) {
     share(face);
 }
 
+void Tracer::pass_air() {
+  if (air_.rays == 0) return;
+  Chunk const& c = chunk_;
+  auto* const left = arena_.take<double>(c.lanes());
+  auto* const added = arena_.take<double>(c.lanes());
+  std::fill_n(left, c.lanes(), 1.0);
+  std::fill_n(added, c.lanes(), 0.0);
+  AirWay const way{c.each,     air_.rays, &air_.origin, &c.direction, air_.distance.value,
+                   c.channels, left,      added};
+  for (auto const& effect : stage_.air) effect->along(way);
+  each_of(air_.rays, [&](std::size_t r) {
+    for (std::size_t i = 0, k = r * c.each; i < c.each; ++i, ++k) {
+      double const gained = c.light[k] * added[k];
+      film_[c.slot[r] + static_cast<std::uint32_t>(i)] += gained;
+      if (paths_.records())
+        paths_.add(c.path[r], gained, film_.is_sample(film_.block_of(c.slot[r])));
+      c.light[k] *= left[k];
+    }
+  });
+}
+
 void Tracer::travel(bool moves) {
+  if (!stage_.air.empty()) pass_air();
   Medium const& medium = stage_.medium(chunk_.medium_before);
   if (medium.segments.empty()) return;
   Passage way{chunk_.count, chunk_.each, chunk_.channels, chunk_rest_.value, chunk_.light, false};

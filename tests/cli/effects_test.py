@@ -57,6 +57,15 @@ class Effects(CliTest):
         self.assertRegex(self.plan(PLAIN + coat.replace('rgb 1 ', 'rgbt <1, 1, 1, 0.5> ')), '\ndispersion +on')
         self.assertRegex(self.plan(PLAIN + coat.replace('0, 1 ', '<0, 0, -4>, 1 ')), '\ndispersion +on')  # camera inside
 
+    def test_air_and_lights_are_named_with_their_places(self):
+        text = self.plan('fog { distance 9 rgb 1 }\n' + PLAIN
+                         + 'light_group { light_source { 0, rgb 1 area_light x, y, 2, 2 } }\n')
+        self.assertRegex(text, r'\nfog and rainbows +on +fog  \(scene.scn:1:1\)')
+        self.assertRegex(text, r'\narea lights +on +area_light  \(scene.scn:')
+        self.assertRegex(text, r'\nlight groups +on +a light in a light_group  \(scene.scn:')
+        for effect in ('fog and rainbows', 'area lights', 'light groups'):
+            self.assertRegex(self.plan(PLAIN), f'\n{effect} +off')
+
     def test_dispersion_off_is_the_scene_without_it(self):
         body = GLASS.replace('dispersion { stochastic }', 'dispersion { none }').replace(
             'dispersion { deterministic }', 'dispersion { none }')

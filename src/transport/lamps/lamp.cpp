@@ -50,7 +50,7 @@ bool Lamp::strengths(Aim const& aim, RaySet rays, std::size_t count, double* out
   else
     std::fill_n(out, count, 1.0);
   each_of(rays, [&](std::size_t r) {
-    double const strength = even() ? out[r] : towards(aim.direction.get(r)) * out[r];
+    double const strength = even() ? out[r] : share(aim, r) * out[r];
     out[r] = std::isfinite(strength) ? strength : 0; // negative distances have no broken powers
   });
   return true;

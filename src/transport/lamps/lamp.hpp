@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/world.hpp"
 #include "scene/scene.hpp"
 #include "surface/textures.hpp"
+#include "transport/lamps/area.hpp"
 #include "transport/lanes.hpp"
 
 #include <memory>
@@ -14,10 +16,11 @@ struct Aim {
   Vectors direction; ///< unit
   Values distance;
   Values cosine;    ///< between the way and the normal of the surface as it is lit
+  Values across;    ///< from its axis, of lamps that ask for it
   RaySet comes = 0; ///< its light can come there
 };
 
-/// A lamp without extent. A new one: a file here, and a line in lamps.cpp.
+/// A lamp, which may have an Area. A new one: a file here, and a line in lamps.cpp.
 class Lamp {
 public:
   /// What all lamps have, as scene::Light says.
@@ -25,11 +28,20 @@ public:
     surface::Channels value; ///< of its light
     bool shadowless = false;
     double fade_distance = 0, fade_power = 0;
+    std::shared_ptr<Area const> area; ///< null: it is a point
+    /// It lights only through this; or null.
+    std::shared_ptr<geometry::World const> gate;
+    bool weakened_by_air = false;
+    std::uint16_t group = 0; ///< of lights
   };
   explicit Lamp(Common common) : common_(std::move(common)) {}
   virtual ~Lamp() = default;
   surface::Channels const& value() const { return common_.value; }
   bool shadowless() const { return common_.shadowless; }
+  Area const* area() const { return common_.area.get(); }
+  geometry::World const* gate() const { return common_.gate.get(); }
+  bool weakened_by_air() const { return common_.weakened_by_air; }
+  std::uint16_t group() const { return common_.group; }
   /// Light grows near it, to this much at most.
   double brightest_fade() const { return fades() ? 2 : 1; }
 
@@ -47,8 +59,8 @@ protected:
   virtual bool lights_itself() const { return false; }
   /// Is its light the same in all directions?
   virtual bool even() const { return true; }
-  /// Share of its light in a direction, unit, towards the lamp.
-  virtual double towards(Vec3 const&) const { return 1; }
+  /// Share of its light that goes to a ray's surface.
+  virtual double share(Aim const&, std::size_t /*ray*/) const { return 1; }
 
 private:
   bool fades() const { return common_.fade_power > 0 && common_.fade_distance != 0; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simd/math.hpp"
+#include "transport/lamps/cylinder.hpp"
 #include "transport/lamps/parallel.hpp"
 #include "transport/lamps/point.hpp"
 #include "transport/lamps/spot.hpp"
@@ -33,6 +34,9 @@ std::unique_ptr<Lamp const> make_lamp(scene::Light const& light, Vec3 const& pos
                                       cos_falloff, light.tightness);
   case Kind::Parallel:
     return std::make_unique<ParallelLamp>(std::move(common), position, direction);
+  case Kind::Cylinder:
+    return std::make_unique<CylinderLamp>(std::move(common), position, direction, light.radius,
+                                          light.falloff, light.tightness);
   }
   return nullptr;
 }

@@ -7,7 +7,7 @@ namespace abbe::transport {
 
 /// Light of one direction. It is everywhere, as in POV-Ray: behind the lamp's plane, where the
 /// distance is negative, without shadows.
-class ParallelLamp final : public Lamp {
+class ParallelLamp : public Lamp {
 public:
   /// @param position of a point of the plane that it comes from @param direction unit, of its light
   ParallelLamp(Common common, Vec3 const& position, Vec3 const& direction)
@@ -17,7 +17,6 @@ protected:
   void find_ways(Vectors const& points, std::size_t count, Aim& out) const override;
   bool lights_itself() const override { return true; }
 
-private:
   Vec3 position_, direction_;
 };
 

@@ -5,8 +5,8 @@
 
 namespace abbe::transport {
 
-double SpotLamp::towards(Vec3 const& to_lamp) const {
-  double const cosine = -glm::dot(to_lamp, direction_);
+double SpotLamp::share(Aim const& aim, std::size_t ray) const {
+  double const cosine = -glm::dot(aim.direction.get(ray), direction_);
   if (cosine <= 0 || cosine < cos_falloff_) return 0;
   double const strength = tightness_ != 0 ? simd::pow(cosine, tightness_) : 1;
   if (!(cosine < cos_radius_)) return strength;

@@ -21,7 +21,7 @@ public:
 
 protected:
   bool even() const override { return false; }
-  double towards(Vec3 const& to_lamp) const override;
+  double share(Aim const& aim, std::size_t ray) const override;
 
 private:
   Vec3 direction_;

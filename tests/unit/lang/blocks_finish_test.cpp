@@ -76,7 +76,7 @@ TEST(Finish, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("sphere { 0, 1 finish { roughness 0 } }"), "E0353");
   EXPECT_EQ(codes("sphere { 0, 1 finish { irid { 0.3 thickness 0.2 film 1 } } }"), "E0202");
   EXPECT_EQ(codes("sphere { 0, 1 finish { ior 1.5 } }"), "E0901");
-  EXPECT_EQ(codes("sphere { 0, 1 finish { subsurface { colour 1 } diffuse 1 } }"), "E0202");
+  EXPECT_EQ(codes("sphere { 0, 1 finish { subsurface { translucent 1 } diffuse 1 } }"), "E0202");
 }
 
 } // namespace

@@ -64,9 +64,11 @@ TEST(Light, KindsAndFalloff) {
 }
 
 TEST(Light, MistakesAreNamedOnce) {
-  EXPECT_EQ(codes("light_source { 0, rgb 1 area_light x, y, 4, 4 adaptive 1 jitter }"), "E0901");
-  EXPECT_EQ(codes("light_source { 0, rgb 1 looks_like { sphere { 0, 1 } } }"), "E0901");
-  EXPECT_EQ(codes("light_source { 0, rgb 1 cylinder point_at y radius 1 falloff 2 }"), "E0901");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 area_light x, y, 0, 4 adaptive 1 jitter }"), "E0304");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 area_light x, y, 1, 4 circular }"), "E0353");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 looks_like { } }"), "E0250");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 cylinder point_at y radius -1 falloff 2 }"), "E0353");
+  EXPECT_EQ(codes("light_source { 0, rgb 1 orient }"), "E0257");
 }
 
 TEST(Light, WithoutColourOrDirectionIsBlackAndSaysSo) {

@@ -117,6 +117,27 @@ TEST(Together, ShadowsBehindSeveralFiltersAreThoseOfEachAlone) {
     for (std::size_t const width : {0, 7}) expect_same(scene, width);
   }
 }
+/// Places of areas that are drawn by lot, in fog that lamps go through, behind glass.
+TEST(Together, AreaLightsInFogAreThoseOfEachAlone) {
+  for (auto const& mode : {none(), deterministic(), stochastic()}) {
+    auto scene = table(mode, mode.kind != scene::DispersionMode::Kind::None);
+    ASSERT_FALSE(scene.lights.empty());
+    for (int const adaptive : {0, 100}) {
+      scene::AreaGrid area{{3, 0, 0}, {0, 0, 2}, 5, 3, adaptive, true};
+      area.illumination = adaptive == 0;
+      scene.lights.front().area = area;
+      scene.lights.front().media_attenuation = true;
+      scene.fogs.assign(2, {});
+      scene.fogs[0].distance = 9;
+      scene.fogs[0].colour = {{0.5, 0.4, 0.6}, 0.2, 0.1, nullptr};
+      scene.fogs[1].distance = 5;
+      scene.fogs[1].ground = true;
+      scene.fogs[1].alt = 0.7;
+      scene.fogs[1].turbulence.emplace().amount = Vec3(0.5);
+      for (std::size_t const width : {0, 7}) expect_same(scene, width);
+    }
+  }
+}
 /// Water in a vessel of glass: it has its wall in common with it, or is just short of it.
 TEST(Together, MediaThatTouchAreThoseOfEachAlone) {
   for (double const gap : {0.0, 1e-7})

@@ -29,7 +29,11 @@ struct Places {
 
 std::unique_ptr<Lamp const> lamp_of(scene::Light const& light, double fade_distance = 0,
                                     double fade_power = 0) {
-  return make_lamp(light, light.position, {{1, 1, 1}, false, fade_distance, fade_power});
+  Lamp::Common common;
+  common.value = {1, 1, 1};
+  common.fade_distance = fade_distance;
+  common.fade_power = fade_power;
+  return make_lamp(light, light.position, std::move(common));
 }
 
 scene::Light light_at(scene::Light::Kind kind, Vec3 const& position, Vec3 const& point_at) {

@@ -135,5 +135,32 @@ TEST(MediaStacks, NumbersStayWhateverIsForgotten) {
   }
 }
 
+/// What keeps fog out is kept in mind, and is no medium.
+TEST(MediaStacks, WhatShutsOutTheAirChangesNoMedium) {
+  Stage stage = solids();
+  stage.solids[6].shuts_out_air = true;
+  stage.solids[1].shuts_out_air = true;
+  MediaStacks stacks(stage);
+  Id const shut = stacks.after(MediaStacks::none, 6, true, true);
+  EXPECT_NE(shut, MediaStacks::none);
+  EXPECT_TRUE(stacks.in_air(MediaStacks::none));
+  EXPECT_FALSE(stacks.in_air(shut));
+  EXPECT_FALSE(stacks.moves(MediaStacks::none, shut));
+  EXPECT_EQ(stacks.medium(shut), 0);
+  // In a hollow medium, in either order.
+  Id const hollow = stacks.after(MediaStacks::none, 0, true, true);
+  Id const both = stacks.after(hollow, 6, true, true), turned = stacks.after(shut, 0, true, true);
+  EXPECT_TRUE(stacks.in_air(hollow));
+  for (Id const stack : {both, turned}) {
+    EXPECT_FALSE(stacks.in_air(stack));
+    EXPECT_EQ(stacks.medium(stack), 1);
+    EXPECT_FALSE(stacks.moves(hollow, stack));
+    EXPECT_TRUE(stacks.moves(shut, stack));
+  }
+  EXPECT_EQ(stacks.after(both, 6, false, true), hollow);
+  EXPECT_EQ(stacks.after(turned, 0, false, true), shut);
+  EXPECT_FALSE(stacks.in_air(stacks.after(MediaStacks::none, 1, true, true)));
+}
+
 } // namespace
 } // namespace abbe::transport::testing
