@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lang/function.hpp"
 
+#include "grammar/parse.hpp"
 #include "lang/block_function.hpp"
 #include "lang/float_functions.hpp"
+#include "lang/internal_functions.hpp"
 #include "lang/interpreter.hpp"
 #include "texture/pattern.hpp"
 
@@ -16,12 +18,15 @@ namespace {
 
 using Node = FunctionValue::Node;
 using Kind = Node::Kind;
-constexpr double eps = 1e-10;
+
+std::shared_ptr<FunctionValue const> compile_internal(InternalFunction const&, Interpreter&);
 
 /// Compiles the expression of a body. Loop variables of sum and prod are further parameters.
 class Compiler {
 public:
-  Compiler(Interpreter& in, FunctionValue& out, ast::Function const& tree) : in_(in), out_(out) {
+  /// @param internal it is one of ours, whose bodies call each other by names of their own
+  Compiler(Interpreter& in, FunctionValue& out, ast::Function const& tree, bool internal = false)
+      : in_(in), out_(out), internal_(internal) {
     if (tree.has_parameters) {
       for (auto const& name : tree.parameters) names_.push_back({axis(name.text), slots_++});
     } else {
@@ -73,6 +78,10 @@ public:
   std::uint32_t operator()(ast::Call const& node) {
     std::string_view const name = node.callee.text;
     if (node.element.empty() && (name == "sum" || name == "prod")) return loop(node);
+    if (internal_ && name == "noise") return add_user(noise_generator(), arguments(node), 0);
+    if (internal_)
+      for (InternalFunction const& helper : internal_functions())
+        if (helper.name == name) return add_user(compile_internal(helper, in_), arguments(node), 0);
     if (node.element.empty()
         && (name == "internal" || name == "select" || name == "min" || name == "max"
             || find_float_function(name)))
@@ -159,7 +168,27 @@ private:
       out_.parameters = 4;
       return add({Kind::NoiseGenerator, 0, 0, 0, 0});
     }
-    return unsupported(fmt::format("the internal function {} is not supported yet", number));
+    if (number == 29 || number == 59) {
+      out_.parameters = 9;
+      return add({number == 29 ? Kind::Hetero : Kind::Ridged, 0, 0, 0, 0});
+    }
+    auto const functions = internal_functions();
+    auto const found = std::ranges::find(functions, number, &InternalFunction::number);
+    if (number < 0 || found == functions.end())
+      return unsupported(fmt::format("the internal function {} is not supported yet", number));
+    auto const function = compile_internal(*found, in_);
+    out_.parameters = function->parameters;
+    std::vector<std::uint32_t> parameters;
+    for (std::uint32_t i = 0; i < function->parameters; ++i)
+      parameters.push_back(add({Kind::Parameter, 0, 0, i, 0}));
+    return add_user(function, parameters, 0);
+  }
+  /// `internal(78)` as a function that others call.
+  static std::shared_ptr<FunctionValue const> noise_generator() {
+    auto out = std::make_shared<FunctionValue>();
+    out->parameters = 4;
+    out->nodes = {{Kind::NoiseGenerator, 0, 0, 0, 0}};
+    return out;
   }
   std::uint32_t unsupported(std::string why) {
     out_.unsupported = std::move(why);
@@ -213,113 +242,45 @@ private:
       return wrong(fmt::format("'{}' takes {} arguments, not {}", node.callee.text,
                                function->parameters, places.size()),
                    node.span);
+    return add_user(function, places, part.value_or(0));
+  }
+  std::uint32_t add_user(std::shared_ptr<FunctionValue const> const& function,
+                         std::vector<std::uint32_t> const& places, int part) {
+    ABBE_ASSERT(places.size() == function->parameters);
     out_.called.push_back(function);
     out_.calls_block = out_.calls_block || function->calls_block;
     auto const index = static_cast<std::uint32_t>(out_.called.size() - 1);
     Kind const kind = function->block ? Kind::Part : Kind::Function;
-    return add_call({kind, 0, 0, index, static_cast<double>(part.value_or(0))}, places);
+    return add_call({kind, 0, 0, index, static_cast<double>(part)}, places);
   }
 
   Interpreter& in_;
   FunctionValue& out_;
   std::vector<std::pair<std::string_view, std::uint32_t>> names_;
   std::uint32_t slots_ = 0;
+  bool internal_;
   bool failed_ = false;
 };
 
-/// Evaluates nodes; `slots` are the parameters and loop variables.
-struct Machine {
-  FunctionValue const& function;
-  double* slots;
-
-  double operand(Node const& node, std::uint32_t i) const {
-    return run(function.operands[node.a + i]);
-  }
-
-  double run(std::uint32_t place) const {
-    Node const& node = function.nodes[place];
-    auto const yes = [](bool b) { return b ? 1.0 : 0.0; };
-    switch (node.kind) {
-    case Kind::Constant:
-      return node.value;
-    case Kind::Parameter:
-      return slots[node.c];
-    case Kind::Add:
-      return run(node.a) + run(node.b);
-    case Kind::Sub:
-      return run(node.a) - run(node.b);
-    case Kind::Mul:
-      return run(node.a) * run(node.b);
-    case Kind::Div:
-      return run(node.a) / run(node.b);
-    case Kind::And: // comparisons in functions are exact, as POV-Ray's
-      return yes(run(node.a) != 0 && run(node.b) != 0);
-    case Kind::Or:
-      return yes(run(node.a) != 0 || run(node.b) != 0);
-    case Kind::Less:
-      return yes(run(node.a) < run(node.b));
-    case Kind::LessEqual:
-      return yes(run(node.a) <= run(node.b));
-    case Kind::Equal:
-      return yes(run(node.a) == run(node.b));
-    case Kind::NotEqual:
-      return yes(run(node.a) != run(node.b));
-    case Kind::GreaterEqual: // what is not a number is greater than all, as POV-Ray's
-      return yes(!(run(node.a) < run(node.b)));
-    case Kind::Greater:
-      return yes(!(run(node.a) <= run(node.b)));
-    case Kind::Negate:
-      return -run(node.a);
-    case Kind::Builtin:
-      return float_functions()[node.c].compute(operand(node, 0), node.b > 1 ? operand(node, 1) : 0);
-    case Kind::Noise:
-      return texture::noise({slots[0], slots[1], slots[2]});
-    case Kind::NoiseGenerator:
-      return texture::noise({slots[0], slots[1], slots[2]}, static_cast<int>(slots[3]));
-    default:
-      return run_call(node);
-    }
-  }
-
-  double run_call(Node const& node) const {
-    switch (node.kind) {
-    case Kind::Min:
-    case Kind::Max: {
-      double value = operand(node, 0);
-      for (std::uint32_t i = 1; i < node.b; ++i) {
-        double const other = operand(node, i);
-        bool const less = value < other; // of what is not a number: not, and so POV-Ray decides
-        value = less == (node.kind == Kind::Min) ? value : other;
-      }
-      return value;
-    }
-    case Kind::Select: {
-      double const which = operand(node, 0);
-      if (node.b == 3) return operand(node, which < 0 ? 1 : 2);
-      return operand(node, which < 0 ? 1 : which == 0 ? 2 : 3);
-    }
-    case Kind::Sum:
-    case Kind::Product: {
-      double total = node.kind == Kind::Sum ? 0 : 1;
-      double const last = operand(node, 1);
-      for (double i = operand(node, 0); i <= last + eps; i += 1) {
-        slots[node.c] = i;
-        double const term = operand(node, 2);
-        total = node.kind == Kind::Sum ? total + term : total * term;
-      }
-      return total;
-    }
-    default: {
-      std::array<double, 16> few;
-      std::vector<double> many(node.b > few.size() ? node.b : 0);
-      double* const arguments = many.empty() ? few.data() : many.data();
-      for (std::uint32_t i = 0; i < node.b; ++i) arguments[i] = operand(node, i);
-      return take_part(evaluate_function(*function.called[node.c], {arguments, node.b}),
-                       static_cast<int>(node.value));
-    }
-    }
-  }
-};
+std::shared_ptr<FunctionValue const> compile_internal(InternalFunction const& function,
+                                                      Interpreter& in) {
+  if (auto const known = in.internals.find(&function); known != in.internals.end())
+    return known->second;
+  SourceFile const source(fmt::format("internal({})", function.number),
+                          fmt::format("#declare F = function{};", function.text));
+  Parsed const parsed = parse(source);
+  ABBE_ASSERT(parsed.errors.empty());
+  auto const& declare = *ast::get_if<ast::Declare>(parsed.document.items.at(0));
+  ast::Expr const* const value = Expressions::sole(declare.value);
+  ABBE_ASSERT(value);
+  auto const& tree = *ast::get_if<ast::Function>(*value);
+  auto out = std::make_shared<FunctionValue>();
+  Compiler compiler(in, *out, tree, true);
+  std::uint32_t const result = compiler.compile(*Expressions::sole(tree.body));
+  ABBE_ASSERT(!compiler.failed() && result + 1 == out->nodes.size());
+  in.internals[&function] = out; // those that it calls came in meanwhile
+  return out;
+}
 
 /// The two sizes of `function 100, 80 { ... }`.
 bool read_picture_size(ast::Function const& tree, Interpreter& in, FunctionValue& out) {
@@ -365,20 +326,6 @@ std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpre
     while (!in.reader.at_end()) in.reader.skip();
   in.reader.leave_region();
   return good ? function : nullptr;
-}
-
-Numeric evaluate_function(FunctionValue const& function, std::span<double const> arguments) {
-  ABBE_ASSERT(arguments.size() == function.parameters && function.unsupported.empty());
-  if (function.block) return function.block(arguments);
-  std::array<double, 16> few;
-  std::vector<double> many;
-  std::size_t const size = std::max(function.slots, arguments.size());
-  if (size > few.size()) many.resize(size);
-  double* const slots = many.empty() ? few.data() : many.data();
-  std::fill(std::copy(arguments.begin(), arguments.end(), slots), slots + size, 0.0);
-  Numeric n;
-  n.c[0] = Machine{function, slots}.run(static_cast<std::uint32_t>(function.nodes.size() - 1));
-  return n;
 }
 
 } // namespace abbe::lang

@@ -46,7 +46,9 @@ struct FunctionValue {
       Sum,
       Product,
       Noise,
-      NoiseGenerator
+      NoiseGenerator,
+      Ridged,
+      Hetero
     } kind = Kind::Constant;
     std::uint32_t a = 0, b = 0; ///< operands; of calls: first in `operands` and their number
     std::uint32_t c = 0;        ///< parameter, built-in or called function

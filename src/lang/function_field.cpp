@@ -2,6 +2,7 @@
 #include "lang/function_field.hpp"
 
 #include "lang/dual_interval.hpp"
+#include "lang/multifractal.hpp"
 #include "texture/pattern.hpp"
 
 #include <array>
@@ -108,27 +109,44 @@ struct DualMachine {
     case Kind::Builtin:
       return apply(node.c, operand(node, 0), node.b > 1 ? operand(node, 1) : Dual{});
     case Kind::Noise:
-      return noise(2);
+      return noise(2, slots[0], slots[1], slots[2]);
     case Kind::NoiseGenerator:
-      return slots[3].v.low == slots[3].v.high ? noise(static_cast<int>(slots[3].v.low))
-                                               : Dual{{0, 1}, everything};
+      return fixed(slots[3]) ? noise(static_cast<int>(slots[3].v.low), slots[0], slots[1], slots[2])
+                             : Dual{{0, 1}, everything};
+    case Kind::Ridged:
+    case Kind::Hetero:
+      return multifractal(node.kind);
     default:
       return run_call(node);
     }
   }
 
-  Dual noise(int generator) const {
+  static bool fixed(Dual const& x) { return x.v.low == x.v.high; }
+
+  static Dual noise(int generator, Dual const& x, Dual const& y, Dual const& z) {
     double const steep = texture::noise_slope(generator);
-    Vec3 const middle(slots[0].v.middle(), slots[1].v.middle(), slots[2].v.middle());
-    double reach = 0, speed = 0;
-    for (int i = 0; i < 3; ++i) {
-      reach += slots[i].v.width();
-      speed += slots[i].d.size();
-    }
+    Vec3 const middle(x.v.middle(), y.v.middle(), z.v.middle());
+    double const reach = x.v.width() + y.v.width() + z.v.width();
+    double const speed = x.d.size() + y.d.size() + z.d.size();
     double const value = texture::noise(middle, generator);
     double const off = 0.5 * steep * reach + 0x1p-44; // its own sums, of values below 16
     Interval const v{std::max(0.0, value - off), std::min(1.0, value + off)};
     return {v, Interval{-steep * speed, steep * speed}};
+  }
+
+  Dual multifractal(Kind kind) const {
+    for (int i = 3; i < 9; ++i)
+      if (!fixed(slots[i])) return {everything, everything};
+    auto const of_slot = [&](int i) { return slots[i].v.low; };
+    Multifractal const of{of_slot(3), of_slot(4), of_slot(5), of_slot(6), of_slot(7)};
+    auto const number = [](double value) { return Dual{Interval(value), Interval(0)}; };
+    auto const octave = [&](Dual const& x, Dual const& y, Dual const& z) {
+      return noise(static_cast<int>(of_slot(8)), x, y, z);
+    };
+    if (kind == Kind::Hetero) return of.hetero(slots[0], slots[1], slots[2], octave, number);
+    auto const magnitude = [](Dual const& x) { return -lesser(x, -x); };
+    auto const clamp = [&](Dual const& x) { return -lesser(-lesser(x, number(1)), number(0)); };
+    return of.ridged(slots[0], slots[1], slots[2], octave, clamp, magnitude, number);
   }
 
   Dual run_call(Node const& node) const {
@@ -188,8 +206,7 @@ struct DualMachine {
 bool smooth_function(FunctionValue const& function) {
   for (Node const& node : function.nodes) {
     bool const step = node.kind >= Kind::And && node.kind <= Kind::Greater;
-    bool const jump =
-        node.kind == Kind::Select || node.kind == Kind::Noise || node.kind == Kind::NoiseGenerator;
+    bool const jump = node.kind == Kind::Select || node.kind >= Kind::Noise;
     if (step || jump) return false;
   }
   for (auto const& called : function.called)

@@ -23,6 +23,8 @@
 
 namespace abbe::lang {
 
+struct InternalFunction;
+
 /// Thrown to leave an evaluation that cannot go on (`#error`, too many errors, the stop flag,
 /// nesting without end) after the reason was reported. Caught by evaluate_file and evaluate_text
 /// only.
@@ -41,6 +43,8 @@ public:
   Expressions expressions;
   Files files;
   StatementStreams streams;
+  /// Those of functions.inc that were asked for, and what they call.
+  std::unordered_map<InternalFunction const*, std::shared_ptr<FunctionValue const>> internals;
   Deferral* deferral = nullptr;              ///< of the innermost value that is being declared
   std::vector<std::uint32_t> random_streams; ///< state of each stream of seed()
   double version = 3.7;                      ///< what `version` yields
