@@ -118,8 +118,9 @@ void add_options(CommandLine& app, RenderArguments& arguments) {
       .range(1, 4096);
   app.add_option("--exposure", arguments.exposure_ev, "stops, of PNG output").show_default();
   app.add_option("--gamut", arguments.gamut,
-                 "of PNG output: clip, standard or hue (see abbe tonemap --help)")
-      .one_of({"clip", "standard", "hue"})
+                 "of PNG output: clip, standard or hue (see abbe tonemap --help); auto: standard "
+                 "where colours are spectra, else clip")
+      .one_of({"auto", "clip", "standard", "hue"})
       .show_default();
   app.add_flag("--half", arguments.half, "16-bit EXR");
   app.add_flag("--check-finite", options.check_finite,

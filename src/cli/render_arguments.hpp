@@ -17,7 +17,7 @@ struct RenderArguments {
   std::string anti_aliasing = "off";
   std::string region;
   render::RenderOptions options;
-  std::string gamut = "standard";
+  std::string gamut = "auto";
   double exposure_ev = 0;
   bool half = false;
   study::Target target;

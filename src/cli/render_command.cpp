@@ -17,13 +17,14 @@
 namespace abbe::cli {
 namespace {
 
-image::WriteOptions write_options(RenderArguments const& arguments) {
+image::WriteOptions write_options(RenderArguments const& arguments, bool spectral) {
   image::WriteOptions write;
   write.exr.spectral = arguments.scene.spectral;
   write.exr.depth =
       arguments.half ? image::ExrOptions::Depth::Half : image::ExrOptions::Depth::Float;
   write.png.tone.exposure_ev = arguments.exposure_ev;
-  write.png.tone.gamut = arguments.gamut == "clip"  ? image::Gamut::Clip
+  bool const clip = arguments.gamut == "clip" || (arguments.gamut == "auto" && !spectral);
+  write.png.tone.gamut = clip                       ? image::Gamut::Clip
                          : arguments.gamut == "hue" ? image::Gamut::Hue
                                                     : image::Gamut::Standard;
   return write;
@@ -135,7 +136,7 @@ int render_scene(RenderArguments& arguments) {
   if (!arguments.scene.quiet)
     job.on_resumed = [&](std::size_t tiles) { say_resumed(job.keeping.path, tiles); };
   auto const name = std::filesystem::path(arguments.scene.scene).filename().string();
-  job::PictureFile file(arguments.output, write_options(arguments),
+  job::PictureFile file(arguments.output, write_options(arguments, plan->spectral.has_value()),
                         job::head_of(options, *plan, name));
   job::Before const before{arguments.scene.scene, all.wall_s(), all.cpu_s()};
   auto const outcome = job::run(std::move(evaluated->scene), *plan, job, file);

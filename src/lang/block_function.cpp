@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace abbe::lang {
@@ -69,11 +70,31 @@ bool has_spectrum(scene::Pigment const& pigment) {
          });
 }
 
+/// Widens the bounds by those of a pigment's colours and their parts.
+void bound(scene::Pigment const& pigment, double& least, double& most) {
+  if (pigment.pattern && pigment.pattern->pattern->has_colours()) {
+    least = -std::numeric_limits<double>::infinity();
+    most = -least;
+    return;
+  }
+  for (auto const& entry : pigment.entries) bound(*entry.pigment, least, most);
+  if (pigment.pattern) return;
+  auto const& [rgb, filter, transmit, spectrum] = pigment.colour;
+  for (double const part : {rgb.x, rgb.y, rgb.z, filter, transmit}) {
+    least = std::min(least, part);
+    most = std::max(most, part);
+  }
+}
+
 void read_pigment_function(Reader& in, FunctionValue& out) {
   scene::Pigment pigment = default_texture(in, in.block_span()).pigment;
   read_pigment(in, pigment);
   if (has_spectrum(pigment)) out.unsupported = "a function of a spectrum is not supported yet";
   out.block = [pigment](Arguments a) { return colour_at(pigment, point_of(a)); };
+  double least = 0, most = 0;
+  bound(pigment, least, most);
+  out.least = least - 1e-9;
+  out.most = most + 1e-9;
 }
 
 void read_pattern_function(Reader& in, FunctionValue& out) {
@@ -83,6 +104,13 @@ void read_pattern_function(Reader& in, FunctionValue& out) {
   out.block = [pattern = pigment.pattern](Arguments a) {
     return scalar_of(pattern->evaluate(point_of(a)));
   };
+  constexpr double past = 1e-4; // values go up to 1.00001, which waves turn round
+  out.least = -past;
+  out.most = std::max(1, pigment.pattern->pattern->list_size() - 1) + past;
+  if (pigment.pattern->modifiers.wave == texture::Wave::Poly) {
+    out.least = -std::numeric_limits<double>::infinity();
+    out.most = std::numeric_limits<double>::infinity();
+  }
 }
 
 void read_any(Reader& in, std::string_view head, FunctionValue& out) {

@@ -31,6 +31,7 @@ struct SceneState {
   Few<Diagnostic> deferred_of_texture, deferred_of_camera; ///< what of these is not supported yet
   double effective_version = 3.62;
   int default_noise_generator = 2;
+  int number_of_waves = 10; ///< sources of ripples and waves
   bool gamma_given = false; ///< a second assumed_gamma is ignored
   /// What the scene calls for and is not rendered yet, by message: see not_rendered.hpp.
   std::map<std::string, Diagnostic> not_rendered;

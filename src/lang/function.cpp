@@ -248,7 +248,6 @@ private:
                          std::vector<std::uint32_t> const& places, int part) {
     ABBE_ASSERT(places.size() == function->parameters);
     out_.called.push_back(function);
-    out_.calls_block = out_.calls_block || function->calls_block;
     auto const index = static_cast<std::uint32_t>(out_.called.size() - 1);
     Kind const kind = function->block ? Kind::Part : Kind::Function;
     return add_call({kind, 0, 0, index, static_cast<double>(part)}, places);
@@ -311,7 +310,6 @@ std::shared_ptr<FunctionValue> make_function(ast::Function const& tree, Interpre
   in.reader.enter_region(tree.body, tree.span);
   bool const made_of_block = in.reader.next() == Next::Block;
   if (made_of_block) read_block_function(in.reader, *function);
-  function->calls_block = made_of_block;
   ast::Expr const* const body = made_of_block ? nullptr : in.reader.take_expression();
   bool good = body != nullptr || function->block || !function->unsupported.empty();
   if (!good && !made_of_block) {

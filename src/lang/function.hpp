@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -63,7 +64,8 @@ struct FunctionValue {
   /// Instead of nodes: what a function made of a block yields.
   std::function<Numeric(std::span<double const>)> block;
   bool vector = false;      ///< `block` yields a vector or colour
-  bool calls_block = false; ///< it is made of one or calls such a function: has no bounds
+  double least = -std::numeric_limits<double>::infinity(); ///< what `block` yields is not below
+  double most = std::numeric_limits<double>::infinity();   ///< and not above
   /// Of `function 100, 80 { ... }`, which stands for a picture; else 0.
   int picture_width = 0, picture_height = 0;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lang/function_field.hpp"
 
+#include "lang/block_function.hpp"
 #include "lang/dual_interval.hpp"
 #include "lang/multifractal.hpp"
 #include "texture/pattern.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -45,6 +47,12 @@ Truth both(Truth a, Truth b) {
 }
 Truth negated(Truth a) {
   return a == Truth::Open ? a : (a == Truth::Yes ? Truth::No : Truth::Yes);
+}
+
+/// The value that a block yields at a point, with its rounding.
+Interval at_point(double value) {
+  double const off = 0x1p-44 * (1 + std::fabs(value));
+  return {value - off, value + off};
 }
 
 Dual lesser(Dual const& a, Dual const& b) {
@@ -175,6 +183,7 @@ struct DualMachine {
     }
     default: {
       FunctionValue const& callee = *function.called[node.c];
+      if (callee.block) return block(node, callee);
       std::array<Dual, 16> few;
       std::vector<Dual> many;
       std::size_t const size = std::max<std::size_t>(callee.slots, node.b);
@@ -184,6 +193,19 @@ struct DualMachine {
       return DualMachine{callee, place}.run(static_cast<std::uint32_t>(callee.nodes.size() - 1));
     }
     }
+  }
+
+  /// Of what a block makes, only its bounds are known, and its value at a point.
+  Dual block(Node const& node, FunctionValue const& callee) const {
+    std::vector<double> arguments(node.b);
+    for (std::uint32_t i = 0; i < node.b; ++i) {
+      Dual const own = operand(node, i);
+      constexpr double rounding = 0x1p-40; // of the place of one point of a line
+      if (!(own.v.width() <= rounding * (1 + own.v.size())))
+        return {{callee.least, callee.most}, everything};
+      arguments[i] = own.v.middle();
+    }
+    return {at_point(take_part(callee.block(arguments), static_cast<int>(node.value))), everything};
   }
 
   Dual select(Node const& node) const {
@@ -204,6 +226,7 @@ struct DualMachine {
 };
 
 bool smooth_function(FunctionValue const& function) {
+  if (function.block) return false;
   for (Node const& node : function.nodes) {
     bool const step = node.kind >= Kind::And && node.kind <= Kind::Greater;
     bool const jump = node.kind == Kind::Select || node.kind >= Kind::Noise;
@@ -226,6 +249,24 @@ double FunctionField::value(Vec3 const& point) const {
 
 ScalarField::Along FunctionField::along(Vec3 const& origin, Vec3 const& direction,
                                         Interval const& part) const {
+  Along const own = enclosure(origin, direction, part);
+  if (std::isinf(most_slope_)) return own;
+  // The slope bounds the values to both sides of the middle.
+  double const speed = most_slope_ * std::sqrt(glm::dot(direction, direction));
+  Interval const middle = at_point(value(origin + part.middle() * direction));
+  double const off = 0.5 * part.width() * speed;
+  double const low = std::max(own.value.low, middle.low - off);
+  double const high = std::min(own.value.high, middle.high + off);
+  if (!(low <= high)) return own; // the slope is steeper than was said
+  return {{low, high}, {-speed, speed}};
+}
+
+ScalarField::Along FunctionField::enclosure(Vec3 const& origin, Vec3 const& direction,
+                                            Interval const& part) const {
+  if (function_->block) {
+    if (part.low == part.high) return {at_point(value(origin + part.low * direction)), everything};
+    return {{function_->least, function_->most}, everything};
+  }
   std::array<Dual, 16> few;
   std::vector<Dual> many;
   if (function_->slots > few.size()) many.resize(function_->slots);
@@ -240,13 +281,29 @@ ScalarField::Along FunctionField::along(Vec3 const& origin, Vec3 const& directio
   return {sound(result.v), sound(result.d)};
 }
 
+namespace {
+
+bool calls_block(FunctionValue const& function) {
+  return function.block
+         || std::ranges::any_of(function.called, [](auto const& own) { return calls_block(*own); });
+}
+
+} // namespace
+
+std::shared_ptr<ScalarField const> FunctionField::with_slope(double most) const {
+  if (!calls_block(*function_)) return nullptr;
+  auto out = std::make_shared<FunctionField>(*this);
+  out->most_slope_ = most;
+  return out;
+}
+
 Vec3 FunctionField::gradient(Vec3 const& point) const {
   Vec3 result;
   for (int i = 0; i < 3; ++i) {
     Vec3 axis(0);
     axis[i] = 1;
     Interval const slope = along(point, axis, Interval(0)).slope;
-    if (slope.width() <= 1e-6 * slope.size()) {
+    if (std::isfinite(slope.size()) && slope.width() <= 1e-6 * slope.size()) {
       result[i] = slope.middle();
       continue;
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/scalar_field.hpp"
+#include "base/sampled_field.hpp"
 #include "lang/function.hpp"
 
+#include <limits>
 #include <memory>
 
 namespace abbe::lang {
@@ -12,19 +13,22 @@ namespace abbe::lang {
 /// derivative along the line carried along (forward differentiation). Enclosures hold what
 /// evaluate_function() gives, for any rounding of the library functions up to 4 units in the last
 /// place. Steps (comparisons, floor, select ...) have a slope of anything where they may step;
-/// noise has the bound of its slope.
-class FunctionField final : public ScalarField {
+/// noise has the bound of its slope. Patterns, pigments and splines are known at points alone.
+class FunctionField final : public SampledField {
 public:
   /// @param function of 3 parameters, callable
   explicit FunctionField(std::shared_ptr<FunctionValue const> function);
   double value(Vec3 const& point) const override;
   Along along(Vec3 const& origin, Vec3 const& direction, Interval const& part) const override;
   bool smooth() const override { return smooth_; }
+  std::shared_ptr<ScalarField const> with_slope(double most) const override;
   Vec3 gradient(Vec3 const& point) const override;
 
 private:
+  Along enclosure(Vec3 const& origin, Vec3 const& direction, Interval const& part) const;
   std::shared_ptr<FunctionValue const> function_;
   bool smooth_;
+  double most_slope_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace abbe::lang

@@ -20,8 +20,14 @@ struct Draft : PatternDraft {
   explicit Draft(Normal& target) : normal(target) { load(normal.pattern); }
 };
 
+/// What the entries of maps and lists begin with.
+std::shared_ptr<Normal> default_normal(Reader& in) {
+  auto const normal = default_texture(in, in.block_span()).normal;
+  return normal ? std::make_shared<Normal>(*normal) : std::make_shared<Normal>();
+}
+
 std::shared_ptr<Normal const> read_item(Reader& in) {
-  auto item = std::make_shared<Normal>();
+  auto item = default_normal(in);
   read_normal(in, *item, {});
   return item;
 }
@@ -44,7 +50,7 @@ void read_list(Reader& in, Draft& draft) {
     }
   }
   while (!items.empty() && items.size() < size)
-    items.push_back({static_cast<double>(items.size()), std::make_shared<Normal>()});
+    items.push_back({static_cast<double>(items.size()), default_normal(in)});
   draft.normal.entries = std::move(items);
 }
 

@@ -3,6 +3,7 @@
 
 #include "lang/interpreter.hpp"
 #include "lang/scene_patterns.hpp"
+#include "texture/patterns/ripples.hpp"
 
 #include <fmt/format.h>
 
@@ -96,6 +97,9 @@ std::optional<std::shared_ptr<texture::Pattern const>> accept_pattern(Reader& in
   // `slope { }` opens a block of its own where it has more than a direction.
   bool const block = word == "slope" && in.next() == Next::Block;
   if (!kind || (!block && !in.accept(kind->keyword))) return std::nullopt;
+  int const sources = scene_state(in.interpreter()).number_of_waves;
+  if (sources != 10 && kind->keyword == "ripples") return texture::make_ripples(sources);
+  if (sources != 10 && kind->keyword == "waves") return texture::make_waves(sources);
   return kind->read(in);
 }
 

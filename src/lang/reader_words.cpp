@@ -117,11 +117,12 @@ std::shared_ptr<ScalarField const> ReaderImpl::field() {
   std::shared_ptr<FunctionValue const> const function = *held;
   Span const at = next_span();
   take();
-  if (!function->unsupported.empty() || function->calls_block) {
-    bool const named = !function->unsupported.empty();
-    report(Severity::Error, "E0901",
-           named ? function->unsupported
-                 : "a surface of a function that a block makes is not supported yet",
+  if (!function->unsupported.empty()) {
+    report(Severity::Error, "E0901", function->unsupported, at);
+    return nullptr;
+  }
+  if (function->vector) {
+    report(Severity::Error, "E0622", "a function of numbers is wanted, not of vectors or colours",
            at);
     return nullptr;
   }

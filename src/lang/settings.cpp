@@ -134,14 +134,9 @@ void read_gamma(Reader& in, Settings& settings) {
   settings.assumed_gamma_srgb = srgb;
 }
 
-void warn_ignored(Reader& in, std::string_view what, Span at) {
-  in.report(Severity::Warning, "E0902", fmt::format("{} has no effect here", what), at);
-}
-
 /// Settings of POV-Ray that change nothing in what abbe does; those that would change a picture in
 /// POV-Ray are not taken without a word.
 bool read_ignored(Reader& in) {
-  Span const at = in.next_span();
   if (in.accept("charset")) {
     if (!in.accept("ascii") && !in.accept("utf8") && !in.accept("sys")) in.unexpected("charset");
   } else if (in.accept("hf_gray_16")) {
@@ -149,7 +144,7 @@ bool read_ignored(Reader& in) {
   } else if (in.accept("max_intersections")) {
     in.number("max_intersections");
   } else if (in.accept("number_of_waves")) {
-    if (in.number("number_of_waves") != 10) warn_ignored(in, "a number_of_waves other than 10", at);
+    scene_state(in.interpreter()).number_of_waves = in.integer("number_of_waves", 1, 1000);
   } else if (in.accept("mm_per_unit")) {
     in.number("mm_per_unit"); // for subsurface, which is told
   } else {

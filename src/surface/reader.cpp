@@ -2,6 +2,7 @@
 #include "surface/reader.hpp"
 
 #include "simd/math.hpp"
+#include "surface/normal.hpp"
 #include "surface/pigment.hpp"
 
 #include <algorithm>
@@ -110,6 +111,18 @@ void Reader::tint_by(Part const& part, Meeting const& meeting, double focus, Pas
   Arena::Scope const scope(arena);
   auto const& [channel, lanes, left] = light;
   PigmentValue pigment{arena.take<double>(static_cast<std::size_t>(lanes))};
+  SurfaceCrossing const& crossing = meeting.crossing;
+  Vec3 outward(0);
+  if (focus != 0) {
+    outward = glm::normalize(world_.facing(crossing.primitive, crossing.face, meeting.point));
+    if (glm::dot(outward, meeting.sight.direction) > 0) outward = -outward;
+  }
+  // POV-Ray's imitation of light that curved glass gathers; each layer gathers it once more.
+  auto const gather = [&](Vec3 const& normal) {
+    double const more =
+        1 + simd::pow(std::abs(glm::dot(normal, meeting.sight.direction)), 45 * focus);
+    for (int k = 0; k < lanes; ++k) left[k] *= more;
+  };
   for (int const number : part.layers) {
     CompiledLayer const& layer = textures_.layers[static_cast<std::size_t>(number)];
     texture::Sight sight = meeting.sight;
@@ -125,24 +138,21 @@ void Reader::tint_by(Part const& part, Meeting const& meeting, double focus, Pas
       evaluate_pigment<0>(textures_, layer.pigment, spot, channel, lanes, pigment, arena);
     for (int k = 0; k < lanes; ++k)
       left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
-    for (int k = 0; focus != 1 && k < lanes; ++k) left[k] *= focus;
+    if (focus != 0)
+      gather(layer.normal >= 0 ? tilted_normal(textures_, layer, spot.point, outward, sight)
+                               : outward);
   }
-  for (int k = 0; part.layers.empty() && focus != 1 && k < lanes; ++k) left[k] *= focus;
+  if (focus != 0 && part.layers.empty()) gather(outward);
 }
 
 void Reader::tint(Meeting const& meeting, double caustics, Passing const& light,
                   Arena& arena) const {
   SurfaceCrossing const& crossing = meeting.crossing;
-  double focus = 1;
-  if (caustics != 0) {
-    // POV-Ray's imitation of light that curved glass gathers; each layer gathers it once more.
-    Vec3 const normal = world_.facing(crossing.primitive, crossing.face, meeting.point);
-    focus += simd::pow(std::abs(glm::dot(normal, meeting.sight.direction)), 45 * caustics);
-  }
-  if (auto const layers = same(crossing)) return tint_by({*layers}, meeting, focus, light, arena);
+  if (auto const layers = same(crossing))
+    return tint_by({*layers}, meeting, caustics, light, arena);
   Arena::Scope const scope(arena);
   SeenLayers const seen = at(meeting, arena);
-  if (seen.parts.size() == 1) return tint_by(seen.parts[0], meeting, focus, light, arena);
+  if (seen.parts.size() == 1) return tint_by(seen.parts[0], meeting, caustics, light, arena);
   auto const lanes = static_cast<std::size_t>(light.lanes);
   auto* const sum = arena.take<double>(lanes);
   auto* const part = arena.take<double>(lanes);
@@ -151,7 +161,7 @@ void Reader::tint(Meeting const& meeting, double caustics, Passing const& light,
     for (std::size_t k = 0; k < lanes; ++k) part[k] = light.left[k] * own.share;
     Passing of_part = light;
     of_part.left = part;
-    tint_by(own, meeting, focus, of_part, arena);
+    tint_by(own, meeting, caustics, of_part, arena);
     for (std::size_t k = 0; k < lanes; ++k) sum[k] += part[k];
   }
   std::copy_n(sum, lanes, light.left);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/isosurface.hpp"
 
+#include "base/sampled_field.hpp"
 #include "geometry/field_roots.hpp"
 #include "geometry/kernels.hpp"
 #include "geometry/shapes/reading.hpp"
@@ -199,7 +200,7 @@ std::optional<PlacedShape> read_isosurface(Parameters& parameters) {
   auto field = parameters.field();
   bool good = field != nullptr;
   Isosurface::Container container;
-  double threshold = 0, accuracy = 0.001;
+  double threshold = 0, accuracy = 0.001, max_gradient = 1.1;
   bool open = false;
   for (;;) {
     if (parameters.open("contained_by")) {
@@ -214,7 +215,7 @@ std::optional<PlacedShape> read_isosurface(Parameters& parameters) {
       good = false;
       parameters.report(Severity::Error, "E0630", "accuracy must be above zero", at);
     } else if (parameters.accept("max_gradient")) {
-      (void)parameters.number("max_gradient");
+      max_gradient = parameters.number("max_gradient");
     } else if (parameters.accept("evaluate")) {
       for (int i = 0; i < 3; ++i) (void)parameters.number("evaluate");
     } else if (parameters.accept("max_trace")) {
@@ -226,6 +227,8 @@ std::optional<PlacedShape> read_isosurface(Parameters& parameters) {
     }
   }
   if (!good) return std::nullopt;
+  if (auto const* sampled = dynamic_cast<SampledField const*>(field.get()))
+    if (auto bounded = sampled->with_slope(max_gradient)) field = std::move(bounded);
   return PlacedShape{
       std::make_shared<Isosurface>(std::move(field), container, threshold, accuracy, open), {}};
 }

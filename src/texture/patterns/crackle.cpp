@@ -2,8 +2,7 @@
 #include "texture/patterns/crackle.hpp"
 
 #include "simd/math.hpp"
-#include "texture/lattice.hpp"
-#include "texture/noise_tables.hpp"
+#include "texture/cell_point.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,10 +86,7 @@ Crackle::Nearest Crackle::find(Vec3 const& p) const {
   for (Offset const& d : cells) {
     if (gap[d.x + 2][0] + gap[d.y + 2][1] + gap[d.z + 2][2] > best[2]) continue;
     Vec3 const corner = cell + Vec3(d.x, d.y, d.z);
-    int const hash = tables.cell_hash(wrapped_floor(corner.x, 4095), wrapped_floor(corner.y, 4095),
-                                      wrapped_floor(corner.z, 4095));
-    Vec3 const point =
-        corner + Vec3(randoms.value[hash], randoms.value[hash + 1], randoms.value[hash + 2]);
+    Vec3 const point = corner + cell_point(tables, randoms, corner);
     double const distance = power(p.x - point.x) + power(p.y - point.y) + power(p.z - point.z);
     if (distance < best[0]) {
       best = {distance, best[0], best[1]};

@@ -3,91 +3,86 @@
 
 #include "simd/math.hpp"
 #include "texture/noise_tables.hpp"
-#include "texture/patterns/formula.hpp"
 
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace abbe::texture {
 namespace {
 
-constexpr std::size_t number_of_waves = 10;
+constexpr int usual_sources = 10;
 
 struct WaveSource {
   Vec3 centre;
-  double frequency;
+  double frequency; ///< of waves; 1 for ripples
 };
-using WaveSources = std::array<WaveSource, number_of_waves>;
 
-WaveSources make_wave_sources() {
-  WaveSources sources;
+std::vector<WaveSource> make_sources(int count, bool waves) {
+  std::vector<WaveSource> sources(static_cast<std::size_t>(count));
   auto state = static_cast<std::uint32_t>(-560851967);
   double at = 0;
   for (WaveSource& source : sources) {
     source.centre = glm::normalize(vector_noise(Vec3(at, 0, 0)));
     state = lcg(state);
-    source.frequency = lcg_high(state) * 0.000030518509476 + 0.01;
+    source.frequency = waves ? lcg_high(state) * 0.000030518509476 + 0.01 : 1;
     at += 1;
   }
   return sources;
 }
 
-WaveSources const& wave_sources() {
-  static WaveSources const sources = make_wave_sources();
-  return sources;
-}
+/// Ripples, or waves: of which each source has a frequency and height of its own.
+class Ripples final : public Pattern {
+public:
+  Ripples(int count, bool waves) : sources_(make_sources(count, waves)), waves_(waves) {}
 
-double ripples(Vec3 const& p, PatternModifiers const& modifiers) {
-  double const frequency = modifiers.frequency.value_or(1);
-  double sum = 0;
-  for (WaveSource const& source : wave_sources())
-    sum += simd::sin(2 * std::numbers::pi
-                     * (glm::length(p - source.centre) * frequency + modifiers.phase));
-  return 0.5 * (1 + sum / number_of_waves);
-}
+  double raw(Vec3 const& p, PatternModifiers const& modifiers) const override {
+    double const frequency = modifiers.frequency.value_or(1);
+    double sum = 0;
+    for (WaveSource const& source : sources_)
+      sum += simd::sin(2 * std::numbers::pi
+                       * (glm::length(p - source.centre) * frequency * source.frequency
+                          + modifiers.phase))
+             / source.frequency;
+    double const mean = sum / static_cast<double>(sources_.size());
+    return waves_ ? 0.2 * (2.5 + mean) : 0.5 * (1 + mean);
+  }
+  bool tilt(Vec3 const& p, PatternModifiers const& modifiers, double amount,
+            Vec3& normal) const override {
+    double const frequency = modifiers.frequency.value_or(1);
+    double const each = amount / static_cast<double>(sources_.size());
+    for (WaveSource const& source : sources_) {
+      Vec3 const way = p - source.centre;
+      double const distance = glm::length(way);
+      if (distance == 0) continue;
+      double const swing = simd::sin(
+          2 * std::numbers::pi * (distance * (frequency * source.frequency) + modifiers.phase));
+      normal += each / source.frequency * (swing / distance * way);
+    }
+    return true;
+  }
 
-double waves(Vec3 const& p, PatternModifiers const& modifiers) {
-  double const frequency = modifiers.frequency.value_or(1);
-  double sum = 0;
-  for (WaveSource const& source : wave_sources())
-    sum += simd::sin(
-               2 * std::numbers::pi
-               * (glm::length(p - source.centre) * frequency * source.frequency + modifiers.phase))
-           / source.frequency;
-  return 0.2 * (2.5 + sum / number_of_waves);
-}
-
-/// @param frequency of the pattern times that of the source
-Vec3 slope(Vec3 const& p, WaveSource const& source, double frequency, double phase) {
-  Vec3 const way = p - source.centre;
-  double const distance = glm::length(way);
-  if (distance == 0) return Vec3(0);
-  return simd::sin(2 * std::numbers::pi * (distance * frequency + phase)) / distance * way;
-}
-
-void tilt_by_ripples(Vec3 const& p, PatternModifiers const& modifiers, double amount,
-                     Vec3& normal) {
-  double const frequency = modifiers.frequency.value_or(1);
-  for (WaveSource const& source : wave_sources())
-    normal += amount / number_of_waves * slope(p, source, frequency, modifiers.phase);
-}
-
-void tilt_by_waves(Vec3 const& p, PatternModifiers const& modifiers, double amount, Vec3& normal) {
-  double const frequency = modifiers.frequency.value_or(1);
-  for (WaveSource const& source : wave_sources())
-    normal += amount / number_of_waves / source.frequency
-              * slope(p, source, frequency * source.frequency, modifiers.phase);
-}
+private:
+  std::vector<WaveSource> sources_;
+  bool waves_;
+};
 
 } // namespace
 
-std::shared_ptr<Pattern const> read_ripples(Parameters&) {
-  return make_formula({.raw = ripples, .tilt = tilt_by_ripples});
+std::shared_ptr<Pattern const> make_ripples(int sources) {
+  return std::make_shared<Ripples>(sources, false);
+}
+std::shared_ptr<Pattern const> make_waves(int sources) {
+  return std::make_shared<Ripples>(sources, true);
 }
 
+std::shared_ptr<Pattern const> read_ripples(Parameters&) {
+  static auto const ripples = make_ripples(usual_sources);
+  return ripples;
+}
 std::shared_ptr<Pattern const> read_waves(Parameters&) {
-  return make_formula({.raw = waves, .tilt = tilt_by_waves});
+  static auto const waves = make_waves(usual_sources);
+  return waves;
 }
 
 } // namespace abbe::texture

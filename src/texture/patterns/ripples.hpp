@@ -11,5 +11,8 @@ namespace abbe::texture {
  * @code pigment { ripples frequency 3 scale 2 } @endcode */
 std::shared_ptr<Pattern const> read_ripples(Parameters&);
 std::shared_ptr<Pattern const> read_waves(Parameters&);
+/// The same around another number of points.
+std::shared_ptr<Pattern const> make_ripples(int sources);
+std::shared_ptr<Pattern const> make_waves(int sources);
 
 } // namespace abbe::texture

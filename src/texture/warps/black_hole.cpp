@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simd/math.hpp"
+#include "texture/cell_point.hpp"
 #include "texture/warps/warps.hpp"
 
 #include <algorithm>
@@ -12,12 +13,15 @@ struct BlackHole final : Warp {
   Vec3 centre{0};
   double radius = 1, strength = 1, falloff = 2;
   bool inverse = false;
-  Vec3 repeat{0};
+  Vec3 repeat{0}, turbulence{0};
 
   Vec3 apply(Vec3 const& point) const override {
-    Vec3 middle = centre;
+    Vec3 middle = centre, cell(0);
     for (int k = 0; k < 3; ++k)
-      if (repeat[k] != 0) middle[k] += std::floor(point[k] / repeat[k]) * repeat[k];
+      if (repeat[k] != 0) cell[k] = std::floor(point[k] / repeat[k]);
+    middle += cell * repeat;
+    if (turbulence != Vec3(0) && repeat != Vec3(0))
+      middle += turbulence * cell_point(noise_tables(), cell_randoms(), cell);
     Vec3 const way = point - middle;
     double const length = glm::length(way);
     if (!(length < radius)) return point;
@@ -33,7 +37,6 @@ std::shared_ptr<Warp const> read_black_hole_warp(Parameters& in) {
   warp->centre = in.vec3("centre");
   warp->radius = in.number("radius");
   while (!in.at_end()) {
-    Span const at = in.next_span();
     if (in.accept("strength")) {
       warp->strength = in.number("strength");
     } else if (in.accept("falloff")) {
@@ -43,11 +46,17 @@ std::shared_ptr<Warp const> read_black_hole_warp(Parameters& in) {
     } else if (in.accept("repeat")) {
       warp->repeat = in.vec3("repeat");
     } else if (in.accept("turbulence")) {
-      in.vec3("turbulence");
-      in.report(Severity::Error, "E0901", "'turbulence' of a black hole is not supported yet", at);
+      warp->turbulence = in.vec3("turbulence");
     } else {
       break;
     }
+  }
+  // As POV-Ray does, so that no ball is cut off.
+  for (int k = 0; k < 3; ++k) {
+    if (warp->repeat[k] == 0) continue;
+    warp->centre[k] = std::max(warp->centre[k], warp->radius);
+    warp->repeat[k] =
+        std::max(warp->repeat[k], warp->centre[k] + warp->radius + warp->turbulence[k]);
   }
   return warp;
 }
