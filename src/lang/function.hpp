@@ -63,7 +63,7 @@ struct FunctionValue {
   std::string unsupported; ///< why it cannot be called, empty as a rule
   /// Instead of nodes: what a function made of a block yields.
   std::function<Numeric(std::span<double const>)> block;
-  bool vector = false;      ///< `block` yields a vector or colour
+  bool vector = false;                                     ///< `block` yields a vector or colour
   double least = -std::numeric_limits<double>::infinity(); ///< what `block` yields is not below
   double most = std::numeric_limits<double>::infinity();   ///< and not above
   /// Of `function 100, 80 { ... }`, which stands for a picture; else 0.
