@@ -111,7 +111,9 @@ private:
 
 } // namespace
 
-void Shadows::finish(AreaPoints& points, Lamp const& lamp, geometry::Groups const& groups) {
+std::uint64_t Shadows::finish(AreaPoints& points, Lamp const& lamp,
+                              geometry::Groups const& groups) {
+  std::uint64_t looked_at = 0;
   Rays &rays = points.rays, &ways = points.ways;
   std::size_t const n = rays.kind().size(), places = lamp.area()->places();
   std::size_t const block = std::max<std::size_t>(1, most_ways / places);
@@ -133,6 +135,7 @@ void Shadows::finish(AreaPoints& points, Lamp const& lamp, geometry::Groups cons
         });
       }
       if (ways.count() == 0) break;
+      looked_at += ways.count();
       for (std::size_t w = 0; w < ways.count(); ++w) points.known[ways.slot[w]] = known;
       arrived_ = &points.seen;
       finish(ways, lamp, groups);
@@ -147,6 +150,7 @@ void Shadows::finish(AreaPoints& points, Lamp const& lamp, geometry::Groups cons
       add_to_film(rays, k);
     }
   }
+  return looked_at;
 }
 
 void Shadows::add_way(AreaPoints& points, Area const& area, std::size_t k, std::size_t place,

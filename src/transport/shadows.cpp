@@ -66,16 +66,18 @@ void Shadows::add_to_film(Rays const& rays, std::size_t k) {
   }
 }
 
-void Shadows::finish(geometry::Groups const& groups) {
+std::uint64_t Shadows::finish(geometry::Groups const& groups) {
+  std::uint64_t ways = 0;
   queues_.each([&](Key const& key, Rays& rays) {
     finish(rays, *stage_.lamps[key.lamp], groups);
     rays.clear();
   });
   for (auto& [key, points] : areas_)
     if (points.rays.count() > 0) {
-      finish(points, *stage_.lamps[key.lamp], groups);
+      ways += finish(points, *stage_.lamps[key.lamp], groups);
       points.clear();
     }
+  return ways;
 }
 
 void Shadows::finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups) {

@@ -20,7 +20,8 @@ public:
   /// @param lit rays whose surface the lamp lights @param light what it adds, a value a lane
   void add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet lit, double const* light);
   /// All of them arrive, or do not. @param groups that they start from
-  void finish(geometry::Groups const& groups);
+  /// @return how many ways to places of areas were looked at
+  std::uint64_t finish(geometry::Groups const& groups);
 
 private:
   struct Key {
@@ -31,7 +32,8 @@ private:
   /// @param lamp that they go to
   void finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups);
   /// Ways to places of an area, as many as decide how much of its light comes.
-  void finish(AreaPoints& points, Lamp const& lamp, geometry::Groups const& groups);
+  /// @return how many
+  std::uint64_t finish(AreaPoints& points, Lamp const& lamp, geometry::Groups const& groups);
   /// The way to a place of the area of point k. @param slot that it has while it is traced
   static void add_way(AreaPoints& points, Area const& area, std::size_t k, std::size_t place,
                       std::size_t slot);

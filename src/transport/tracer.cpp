@@ -181,7 +181,7 @@ void Tracer::step(QueueKey const& key, Rays& rays) {
       meet(bucket);
     }
   });
-  shadows_.finish(starts_);
+  emitter_.counts.shadow += shadows_.finish(starts_);
 }
 
 void Tracer::arrive(Rays& rays) {

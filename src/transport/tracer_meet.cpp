@@ -182,7 +182,8 @@ SurfaceLight Tracer::shade_chunk(Face const& face, Shares const& shares, bool li
   for (std::size_t lamp = 0; lamp < stage_.lamps.size(); ++lamp) {
     if (surface.of_lamp[lamp] == nullptr) continue;
     RaySet const rays = surface.lit[lamp];
-    emitter_.counts.shadow += static_cast<std::uint64_t>(std::popcount(rays));
+    if (stage_.lamps[lamp]->area() == nullptr)
+      emitter_.counts.shadow += static_cast<std::uint64_t>(std::popcount(rays));
     each_of(rays, [&](std::size_t r) { emitter_.count_ray(c.sample[r]); });
     shadows_.add(c, lamp, aims_[lamp], rays, surface.of_lamp[lamp]);
   }
