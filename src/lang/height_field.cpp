@@ -23,9 +23,9 @@ constexpr std::string_view type_words[] = {"png", "gif", "tga", "jpeg", "tiff", 
 
 /// What a file's pixels are made of, which decides how they become heights.
 enum class Kind {
-  Grey8,   ///< grey of up to 8 bits
+  Grey8,   ///< PNG's grey of up to 8 bits, of which fractions are dropped
   Fine,    ///< grey, or the grey of colours, in 16 bits
-  HighLow, ///< 8-bit colours: red is the high byte, green the low one
+  HighLow, ///< colours: red is the high byte, green the low one
   Palette, ///< the number of the entry is the high byte
   Halves   ///< POT: the left half has the high bytes, the right one the low ones
 };
@@ -41,18 +41,14 @@ Kind kind_of(std::string_view bytes, Texels const& texels, bool pot) {
     if (colour == 0) return depth <= 8 ? Kind::Grey8 : Kind::Fine;
     return (colour & 2U) != 0 && depth <= 8 ? Kind::HighLow : Kind::Fine;
   }
-  if (bytes.starts_with("P")) { // PGM, PPM
-    bool const grey = byte(1) == '2' || byte(1) == '5' || byte(1) == '1' || byte(1) == '4';
+  if (bytes.starts_with("P6") || bytes.starts_with("P3")) {
     bool const fine = std::any_of(texels.rgba.begin(), texels.rgba.end(), [](float code) {
       float const scaled = code * 255;
-      return scaled != std::floor(scaled);
+      return std::fabs(scaled - std::round(scaled)) > 1e-4F;
     });
-    if (fine) return Kind::Fine;
-    return grey ? Kind::Grey8 : Kind::HighLow;
+    return fine ? Kind::Fine : Kind::HighLow;
   }
-  if (bytes.starts_with("#?")) return Kind::Fine; // HDR
-  bool const grey_tga = (byte(2) == 3 || byte(2) == 11) && !bytes.starts_with("BM");
-  return grey_tga ? Kind::Fine : Kind::HighLow;
+  return Kind::HighLow; // of greys the same as Fine
 }
 
 /// POV-Ray's grey, in single precision as there: what it cuts off depends on it.
@@ -90,13 +86,15 @@ std::optional<HeightGrid> grid_of(Texels const& texels, Kind kind, double gamma)
       } else {
         float const* const code = &texels.rgba[4 * at];
         float const r = light(code[0]), g = light(code[1]), b = light(code[2]);
+        // What single precision takes from a whole number is given back.
+        constexpr double little = 0.01;
         if (kind == Kind::HighLow)
-          height = 256 * std::floor(static_cast<double>(r) * 255 + 1e-4)
-                   + std::floor(static_cast<double>(g) * 255 + 1e-4);
+          height = (static_cast<double>(r) * 256 + static_cast<double>(g)) * 255 + little;
         else if (kind == Kind::Grey8)
           height = 257 * std::floor(static_cast<double>(grey_of(r, g, b) * 255.0F));
         else
-          height = std::clamp(static_cast<double>(grey_of(r, g, b)) * 65535, 0.0, 65535.0);
+          height = static_cast<double>(grey_of(r, g, b)) * 65535 + little;
+        height = std::clamp(height, 0.0, 65535.0);
       }
       grid.heights.push_back(sixteen_bits(height));
     }
