@@ -62,6 +62,9 @@ public:
   /// A word that may be followed by a boolean (`open`, `hierarchy off`): true when it is there and
   /// on.
   virtual std::optional<bool> flag(std::string_view word) = 0;
+  /// Takes `word(a, b, ...)` when it is next: its arguments, of which there must be `count`. Empty
+  /// when it is not.
+  virtual std::vector<double> call(std::string_view /*word*/, std::size_t /*count*/) { return {}; }
   /// Opens `word {` when it is next; read its content, then close(), which reports what is left
   /// unread.
   virtual bool open(std::string_view word) = 0;

@@ -39,6 +39,7 @@ public:
   bool has_value() override { return next() == Next::Numeric; }
   bool has_number() override;
   bool accept(std::string_view word) override;
+  std::vector<double> call(std::string_view word, std::size_t count) override;
   std::optional<bool> flag(std::string_view word) override;
   bool open(std::string_view word) override;
   void close() override;
@@ -70,7 +71,6 @@ public:
   Interpreter& interpreter() override { return in_; }
 
   // For the interpreter and its expressions.
-
   /// Reads `items` behind a wall until leave_region(), which reports what is left unread. Where
   /// `falls`, the wall gives way to a block that is not closed at the end of the items.
   void enter_region(ast::Items const& items, Span, bool falls = false);

@@ -45,6 +45,29 @@ bool ReaderImpl::has_number() {
              && !ast::get_if<ast::Vector>(*peek_.expr));
 }
 
+std::vector<double> ReaderImpl::call(std::string_view word, std::size_t count) {
+  bool const value = next() == Next::Numeric;
+  auto const* const call =
+      value && peek_.expr && !peek_.split ? ast::get_if<ast::Call>(*peek_.expr) : nullptr;
+  if (call == nullptr || call->callee.text != word) {
+    ask(word);
+    return {};
+  }
+  Span const at = call->span;
+  std::vector<double> values;
+  for (ast::Items const& argument : call->arguments) {
+    ast::Expr const* const only = Expressions::sole(argument);
+    values.push_back(only ? in_.expressions.scalar(*only, fmt::format("argument of {}", word)) : 0);
+  }
+  consume();
+  take_punctuation(':'); // `xyz(1, 0, 0): 2`
+  if (values.size() == count) return values;
+  report(Severity::Error, "E0316",
+         fmt::format("{} takes {} numbers, not {}", word, count, values.size()), at);
+  values.resize(count);
+  return values;
+}
+
 std::optional<bool> ReaderImpl::flag(std::string_view word) {
   if (!accept(word)) return std::nullopt;
   return boolean_or(true);

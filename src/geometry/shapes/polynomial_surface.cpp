@@ -323,20 +323,57 @@ std::optional<PlacedShape> make_polynomial(int order, std::vector<double> k) {
 
 namespace {
 
-std::optional<PlacedShape> read_coefficients(Parameters& parameters, int order) {
-  std::vector<double> k =
-      parameters.components("coefficients", static_cast<int>(coefficient_count(order)));
-  (void)parameters.flag("sturm");
+std::optional<PlacedShape> of_coefficients(Parameters& parameters, int order,
+                                           std::vector<double> k) {
   if (std::all_of(k.begin(), k.end() - 1, [](double c) { return c == 0; }))
     return left_out(parameters, "E0617", "a polynomial of a constant alone is not drawn");
   return or_report(make_polynomial(order, std::move(k)), parameters, "E0617",
                    "a polynomial surface needs finite coefficients");
 }
 
+std::optional<PlacedShape> read_coefficients(Parameters& parameters, int order) {
+  std::vector<double> k =
+      parameters.components("coefficients", static_cast<int>(coefficient_count(order)));
+  (void)parameters.flag("sturm");
+  return of_coefficients(parameters, order, std::move(k));
+}
+
+/// Place of x^i y^j z^k among the coefficients: by falling powers of x, then y, then z.
+std::size_t place_of(int order, int i, int j, int k) {
+  // Those of a higher power of x, then of y.
+  int const rest = order - i, left = rest - j;
+  auto const pairs = [](int n) { return n * (n + 1) / 2; };
+  int const by_x = rest * (rest + 1) * (rest + 2) / 6;
+  return static_cast<std::size_t>(by_x + pairs(left) + (left - k));
+}
+
 } // namespace
 
 std::optional<PlacedShape> read_poly(Parameters& parameters) {
   return read_coefficients(parameters, parameters.integer("order", 2, largest_degree));
+}
+std::optional<PlacedShape> read_polynomial(Parameters& parameters) {
+  int const order = parameters.integer("order", 2, largest_degree);
+  std::vector<double> k(coefficient_count(order));
+  for (;;) {
+    Span const at = parameters.next_span();
+    auto const powers = parameters.call("xyz", 3);
+    if (powers.empty()) break;
+    double const value = parameters.number("coefficient");
+    bool const whole = std::all_of(powers.begin(), powers.end(), [&](double power) {
+      return power >= 0 && power <= order && power == std::floor(power);
+    });
+    if (!whole || powers[0] + powers[1] + powers[2] > order) {
+      parameters.report(
+          Severity::Error, "E0617",
+          "the powers of xyz() must be whole numbers that add up to the order at most", at);
+      return std::nullopt;
+    }
+    k[place_of(order, static_cast<int>(powers[0]), static_cast<int>(powers[1]),
+               static_cast<int>(powers[2]))] = value;
+  }
+  (void)parameters.flag("sturm");
+  return of_coefficients(parameters, order, std::move(k));
 }
 std::optional<PlacedShape> read_cubic(Parameters& parameters) {
   return read_coefficients(parameters, 3);

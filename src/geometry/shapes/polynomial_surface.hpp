@@ -73,6 +73,8 @@ private:
 
 std::optional<PlacedShape> make_polynomial(int order, std::vector<double> coefficients);
 std::optional<PlacedShape> read_poly(Parameters& parameters);
+/// `polynomial { order, xyz(i, j, k): coefficient, ... }`: the others are 0.
+std::optional<PlacedShape> read_polynomial(Parameters& parameters);
 std::optional<PlacedShape> read_cubic(Parameters& parameters);
 std::optional<PlacedShape> read_quartic(Parameters& parameters);
 

@@ -8,8 +8,10 @@
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/disc.hpp"
 #include "geometry/shapes/isosurface.hpp"
+#include "geometry/shapes/julia.hpp"
 #include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh_reading.hpp"
+#include "geometry/shapes/ovus.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/polynomial_surface.hpp"
@@ -33,12 +35,15 @@ std::span<ShapeKind const> shape_kinds() {
       {"cylinder", read_cylinder},
       {"disc", read_disc},
       {"isosurface", read_isosurface},
+      {"julia_fractal", read_julia_fractal},
       {"lathe", read_lathe},
       {"mesh", read_mesh},
       {"mesh2", read_mesh2},
+      {"ovus", read_ovus},
       {"plane", read_plane},
       {"poly", read_poly},
       {"polygon", read_polygon},
+      {"polynomial", read_polynomial},
       {"prism", read_prism},
       {"quadric", read_quadric},
       {"quartic", read_quartic},

@@ -9,6 +9,7 @@
 #include "geometry/shapes/height_field.hpp"
 #include "geometry/shapes/lathe.hpp"
 #include "geometry/shapes/mesh.hpp"
+#include "geometry/shapes/ovus.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/polygon.hpp"
 #include "geometry/shapes/polynomial_surface.hpp"
@@ -167,6 +168,18 @@ void add_height_field(std::vector<Sample>& all, double s) {
 void add_curved(std::vector<Sample>& all, double s) {
   add_prisms(all, s);
   add_height_field(all, s);
+  // A ball of 1/2 about the origin, one of 3/8 half a unit above, both touched by an arc of radius
+  // 1 about <-x, y>: x^2 + y^2 = 1/4, x^2 + (1/2 - y)^2 = 25/64.
+  all.push_back({"ovus", *make_ovus(.5 * s, .375 * s), [s](Quad x, Quad y, Quad z) {
+                   x = x / s, y = y / s, z = z / s;
+                   Quad const r = root_of(x * x + z * z), high = Quad(7) / 64,
+                              away = root_of(Quad(1) / 4 - high * high);
+                   Quad const u = r + away, v = y - high;
+                   if (away * v + high * u < 0) return root_of(r * r + y * y) - .5;
+                   if (away * v - (.5 - high) * u > 0)
+                     return root_of(r * r + square(y - .5)) - .375;
+                   return root_of(u * u + v * v) - 1;
+                 }});
   all.push_back({"quartic", *make_polynomial(4, torus_quartic(s)), [s](Quad x, Quad y, Quad z) {
                    Quad const sum = x * x + y * y + z * z + .75 * s * s;
                    return (sum * sum - 4 * s * s * (x * x + z * z)) / (s * s * s * s);
