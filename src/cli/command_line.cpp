@@ -99,6 +99,8 @@ template Option CommandLine::add_option(std::string const&, std::uint64_t&, std:
 template Option CommandLine::add_option(std::string const&, std::string&, std::string const&);
 template Option CommandLine::add_option(std::string const&, std::optional<int>&,
                                         std::string const&);
+template Option CommandLine::add_option(std::string const&, std::optional<double>&,
+                                        std::string const&);
 template Option CommandLine::add_option(std::string const&, std::vector<int>&, std::string const&);
 template Option CommandLine::add_option(std::string const&, std::vector<double>&,
                                         std::string const&);

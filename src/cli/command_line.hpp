@@ -53,7 +53,8 @@ public:
   CommandLine& operator=(CommandLine const&) = delete;
 
   /// @param names "-o,--output", or "FILE" for a word by its place
-  /// @tparam Target int, double, std::uint64_t, std::string, std::optional<int>, or a vector of
+  /// @tparam Target int, double, std::uint64_t, std::string, std::optional<int or double>, or a
+  /// vector of
   ///         int, double or std::string
   template <class Target>
   Option add_option(std::string const& names, Target& target, std::string const& help);

@@ -10,6 +10,8 @@ namespace abbe::cli {
 int run_compare(int argc, char** argv);
 int run_tonemap(int argc, char** argv);
 int run_render(int argc, char** argv);
+/// POV-Ray's command line; exit statuses are POV-Ray's: 0 done, 1 failed, 2 interrupted.
+int run_povray(int argc, char** argv);
 int run_study(int argc, char** argv);
 int run_check(int argc, char** argv);
 int run_dump(int argc, char** argv);

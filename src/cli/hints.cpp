@@ -60,15 +60,13 @@ std::string hint_of_command(std::string_view word) {
 }
 
 std::string hint_of_word(std::string_view word) {
-  if (word == "-") return "standard input is not read: name a file";
   if (word.ends_with(".ini") || word.ends_with(".INI"))
-    return "ini files of POV-Ray are not read: give the scene and the options, as in abbe render "
-           "scene.pov -W 320 -H 240 -o scene.png";
+    return fmt::format("'{}' is an ini file of POV-Ray: abbe povray {}", word, word);
   if (!word.starts_with('+') || word.size() < 2) return {};
   std::string const known = counterpart(word);
-  if (known.empty())
-    return fmt::format("'{}' is an option of POV-Ray: see abbe render --help", word);
-  return fmt::format("'{}' is an option of POV-Ray: here it is {}", word, known);
+  if (known.empty()) return fmt::format("'{}' is an option of POV-Ray: abbe povray takes it", word);
+  return fmt::format("'{}' is an option of POV-Ray: abbe povray takes it, here it is {}", word,
+                     known);
 }
 
 std::string hint_of_scene(std::string const& path) {

@@ -26,6 +26,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", abbe::cli::run_render, "render a scene to .exr, .png or .tif"},
+    Command{"povray", abbe::cli::run_povray, "render as POV-Ray's command line says"},
     Command{"study", abbe::cli::run_study, "measure what accuracy costs in time"},
     Command{"check", abbe::cli::run_check, "parse and evaluate a scene; report all errors"},
     Command{"dump", abbe::cli::run_dump, "print the tokens, tree, object graph or plan of a scene"},
@@ -47,7 +48,14 @@ std::string usage() {
                        "build everything and run the tests (by the script ./abbe only)");
 }
 
+/// Was the program called by the name of POV-Ray's?
+bool is_called_povray(std::string_view program) {
+  auto const slash = program.rfind('/');
+  return program.substr(slash == program.npos ? 0 : slash + 1) == "povray";
+}
+
 int run(int argc, char** argv) {
+  if (argc > 0 && is_called_povray(argv[0])) return abbe::cli::run_povray(argc, argv);
   if (argc < 2) {
     abbe::cli::say_text(usage());
     return 2;

@@ -41,6 +41,18 @@ std::string set_region(std::string const& text, std::optional<render::Region>& o
   return "";
 }
 
+std::string set_frames(std::string const& text, int& first, int& last) {
+  char const* const end = text.data() + text.size();
+  auto const [dots, failed] = std::from_chars(text.data(), end, first);
+  bool const two = failed == std::errc() && end - dots > 2 && dots[0] == '.' && dots[1] == '.';
+  if (two) {
+    auto const [stop, wrong] = std::from_chars(dots + 2, end, last);
+    if (wrong == std::errc() && stop == end && first >= 0 && first <= last && last < 1000000)
+      return "";
+  }
+  return "expected A..B, numbers of frames from 0 on, got '" + text + "'";
+}
+
 int check_region(std::optional<render::Region> const& region, int width, int height) {
   if (!region) return 0;
   if (region->x0 >= 0 && region->y0 >= 0 && region->x0 < region->x1 && region->y0 < region->y1
@@ -69,8 +81,9 @@ int render_failed(Error const& error, int status) {
 void add_options(CommandLine& app, RenderArguments& arguments) {
   auto& options = arguments.options;
   arguments.scene.add_to(app, true);
-  app.add_option("-o,--output", arguments.output,
-                 "OUT.exr, OUT.png or OUT.tif (default: SCENE.png)")
+  app.add_option(
+         "-o,--output", arguments.output,
+         "OUT.exr, .hdr, .tif (LogLuv), .png, .ppm, .tga, .bmp or .jpg (default: SCENE.png)")
       .check([](std::string const& name) {
         return name.empty() ? std::string("the name is empty") : std::string();
       });
@@ -123,6 +136,16 @@ void add_options(CommandLine& app, RenderArguments& arguments) {
       .one_of({"auto", "clip", "standard", "hue"})
       .show_default();
   app.add_flag("--half", arguments.half, "16-bit EXR");
+  app.add_flag("--alpha", arguments.alpha,
+               "an alpha channel: how much of the background each pixel covers");
+  app.add_option("--frames", arguments.frames,
+                 "a series of pictures OUTn.png: frame_number from A to B, clock from 0 to 1")
+      .type_name("A..B")
+      .check([&](std::string const& text) {
+        return set_frames(text, arguments.first_frame, arguments.last_frame);
+      })
+      .excludes("--error")
+      .excludes("--time");
   app.add_flag("--check-finite", options.check_finite,
                "end at the first sample that is not a number, infinite or negative, and say which "
                "path made it");
@@ -148,6 +171,13 @@ void add_options(CommandLine& app, RenderArguments& arguments) {
 }
 
 int check(RenderArguments const& arguments) {
+  if (!arguments.frames.empty()
+      && (arguments.scene.clock || !arguments.stats.empty() || !arguments.cost_map.empty()
+          || arguments.resume)) {
+    say("abbe render: --frames makes several pictures: --clock, --stats, --cost-map and --resume "
+        "are for one\n");
+    return 2;
+  }
   auto const& options = arguments.options;
   if (int const bad = check_region(options.region, arguments.scene.width, arguments.scene.height))
     return bad;

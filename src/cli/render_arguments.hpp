@@ -20,6 +20,9 @@ struct RenderArguments {
   std::string gamut = "auto";
   double exposure_ev = 0;
   bool half = false;
+  bool alpha = false;
+  std::string frames; ///< "A..B"; empty: one picture, without a number
+  int first_frame = 0, last_frame = 0;
   study::Target target;
   std::string time_text;
   std::string stats, cost_map; ///< files; empty: not asked for

@@ -9,6 +9,7 @@
 #include "job/interrupt.hpp"
 #include "job/picture_file.hpp"
 #include "job/stats.hpp"
+#include "job/with_alpha.hpp"
 
 #include <fmt/format.h>
 
@@ -22,11 +23,11 @@ image::WriteOptions write_options(RenderArguments const& arguments, bool spectra
   write.exr.spectral = arguments.scene.spectral;
   write.exr.depth =
       arguments.half ? image::ExrOptions::Depth::Half : image::ExrOptions::Depth::Float;
-  write.png.tone.exposure_ev = arguments.exposure_ev;
+  write.display.tone.exposure_ev = arguments.exposure_ev;
   bool const clip = arguments.gamut == "clip" || (arguments.gamut == "auto" && !spectral);
-  write.png.tone.gamut = clip                       ? image::Gamut::Clip
-                         : arguments.gamut == "hue" ? image::Gamut::Hue
-                                                    : image::Gamut::Standard;
+  write.display.tone.gamut = clip                       ? image::Gamut::Clip
+                             : arguments.gamut == "hue" ? image::Gamut::Hue
+                                                        : image::Gamut::Standard;
   return write;
 }
 
@@ -40,9 +41,10 @@ job::Keeping keeping_of(RenderArguments const& arguments, lang::Evaluated const&
   keeping.resume = arguments.resume;
   std::string words;
   for (auto const& declaration : arguments.scene.declarations) words += declaration + '\n';
-  words += fmt::format("{} {} {} {} {}", arguments.scene.bands.value_or(0),
-                       arguments.scene.dispersion, arguments.scene.representation,
-                       arguments.scene.spacing, arguments.scene.spectral);
+  words += fmt::format("{} {} {} {} {} {} {}", arguments.scene.frame.number, arguments.alpha,
+                       arguments.scene.bands.value_or(0), arguments.scene.dispersion,
+                       arguments.scene.representation, arguments.scene.spacing,
+                       arguments.scene.spectral);
   keeping.scene_identity = scene_identity(evaluated, words);
   return keeping;
 }
@@ -102,14 +104,8 @@ int write_records(RenderArguments const& arguments, job::Before const& before,
   return written ? 0 : render_failed(written.error(), 3);
 }
 
+/// One picture. The exit status.
 int render_scene(RenderArguments& arguments) {
-  if (arguments.output.empty())
-    arguments.output = std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
-  if (int const bad = check_output(arguments.output)) return bad;
-  if (!arguments.cost_map.empty())
-    if (int const bad = check_output(arguments.cost_map)) return bad;
-  if (int const bad = check(arguments)) return bad;
-
   Stopwatch const all;
   int status = 0;
   lang::Evaluated* const evaluated = load_scene(arguments.scene, status);
@@ -136,10 +132,15 @@ int render_scene(RenderArguments& arguments) {
   if (!arguments.scene.quiet)
     job.on_resumed = [&](std::size_t tiles) { say_resumed(job.keeping.path, tiles); };
   auto const name = std::filesystem::path(arguments.scene.scene).filename().string();
+  auto head = job::head_of(options, *plan, name);
+  head.alpha = arguments.alpha;
   job::PictureFile file(arguments.output, write_options(arguments, plan->spectral.has_value()),
-                        job::head_of(options, *plan, name));
+                        std::move(head));
   job::Before const before{arguments.scene.scene, all.wall_s(), all.cpu_s()};
-  auto const outcome = job::run(std::move(evaluated->scene), *plan, job, file);
+  auto const outcome = arguments.alpha
+                           ? job::run_with_alpha(std::move(evaluated->scene), *plan,
+                                                 overrides_of(arguments.scene), job, file)
+                           : job::run(std::move(evaluated->scene), *plan, job, file);
   bar.finish();
   if (int const failed = say_end(arguments, outcome)) return failed;
   if (int const failed = write_records(arguments, before, *plan, outcome)) return failed;
@@ -149,6 +150,42 @@ int render_scene(RenderArguments& arguments) {
         region.y1 - region.y0, plan::describe_channels(*plan), all.wall_s(),
         outcome.result.counts.total());
     if (arguments.target.seconds > 0) say_again(arguments, chosen, outcome.result.passes);
+  }
+  give_up(evaluated);
+  return 0;
+}
+
+int check_outputs(RenderArguments& arguments) {
+  if (arguments.output.empty())
+    arguments.output = arguments.scene.scene == "-"
+                           ? std::string("stdin.png")
+                           : std::filesystem::path(arguments.scene.scene).stem().string() + ".png";
+  if (int const bad = check_output(arguments.output)) return bad;
+  if (!arguments.cost_map.empty())
+    if (int const bad = check_output(arguments.cost_map)) return bad;
+  return check(arguments);
+}
+
+/// OUTn.png for each frame, n in as many digits as the last one has.
+int render_frames(RenderArguments const& arguments) {
+  std::filesystem::path const output(arguments.output);
+  auto const digits = std::to_string(arguments.last_frame).size();
+  int const steps = arguments.last_frame - arguments.first_frame;
+  for (int number = arguments.first_frame; number <= arguments.last_frame; ++number) {
+    RenderArguments one = arguments;
+    one.output = (output.parent_path()
+                  / fmt::format("{}{:0{}}{}", output.stem().string(), number, digits,
+                                output.extension().string()))
+                     .string();
+    auto& frame = one.scene.frame;
+    frame.clock_on = true;
+    frame.final_clock = 1;
+    frame.clock_delta = steps > 0 ? 1.0 / steps : 0;
+    frame.number = number;
+    frame.initial_frame = arguments.first_frame;
+    frame.final_frame = arguments.last_frame;
+    frame.clock = frame.clock_delta * (number - arguments.first_frame);
+    if (int const status = render_scene(one)) return status;
   }
   return 0;
 }
@@ -161,7 +198,8 @@ int run_render(int argc, char** argv) {
   add_options(app, arguments);
   if (int const status = app.parse(argc, argv); status >= 0) return status;
   arguments.target.keep_aa = app.has("--aa") || app.has("--aa-method");
-  return render_scene(arguments);
+  if (int const bad = check_outputs(arguments)) return bad;
+  return arguments.frames.empty() ? render_scene(arguments) : render_frames(arguments);
 }
 
 } // namespace abbe::cli

@@ -8,6 +8,7 @@
 #include "image/atomic_file.hpp"
 #include "job/interrupt.hpp"
 #include "lang/folders.hpp"
+#include "plan/quality.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -64,7 +65,7 @@ void catch_signals() {
 
 void SceneArguments::add_to(CommandLine& app, bool with_plan) {
   app.keep_letters_free(); // -H is the height
-  app.add_option("SCENE", scene, "the scene file (.scn, .pov)").required();
+  app.add_option("SCENE", scene, "the scene file (.scn, .pov); -: standard input").required();
   app.add_option("-W,--width", width, "pixels across").range(1, 100000).show_default();
   app.add_option("-H,--height", height, "pixels down").range(1, 100000).show_default();
   app.add_option("-D,--declare", declarations, "declare a float or string before the scene")
@@ -96,6 +97,7 @@ void SceneArguments::add_to(CommandLine& app, bool with_plan) {
                  "refuse to take more memory (E0706): bytes, or as 512M, 2G")
       .type_name("SIZE")
       .check(limit_memory);
+  app.add_option("--clock", clock, "what `clock` is in the scene").type_name("NUMBER");
   if (!with_plan) return;
   app.add_option("--bands", bands, "number of spectral bands").range(1, 1000);
   app.add_option(
@@ -124,12 +126,28 @@ std::string parse_duration(std::string const& text, double& seconds) {
 
 namespace {
 
+/// Scenes that are in use, so that they are not reported as lost. Never destroyed.
+auto* const in_use = new std::vector<lang::Evaluated*>;
+
 lang::Evaluated* kept(lang::Evaluated&& evaluated) {
-  static auto* const all = new std::vector<lang::Evaluated*>; // never destroyed
-  return all->emplace_back(new lang::Evaluated(std::move(evaluated)));
+  return in_use->emplace_back(new lang::Evaluated(std::move(evaluated)));
+}
+
+/// All that comes through standard input.
+std::string standard_input() {
+  std::string text;
+  char piece[1 << 16];
+  while (std::size_t const count = std::fread(piece, 1, sizeof piece, stdin))
+    text.append(piece, count);
+  return text;
 }
 
 } // namespace
+
+void give_up(lang::Evaluated* evaluated) {
+  std::erase(*in_use, evaluated);
+  delete evaluated;
+}
 
 lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   lang::EvaluateOptions options;
@@ -149,6 +167,11 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
   }
   options.image_width = arguments.width;
   options.image_height = arguments.height;
+  options.frame = arguments.frame;
+  if (arguments.clock) {
+    options.frame.clock = *arguments.clock;
+    options.frame.clock_on = true;
+  }
   options.allow_write = arguments.allow_write;
   options.strict = arguments.strict;
   options.stop = &job::interrupted();
@@ -160,7 +183,9 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
     if (diagnostic.severity == Severity::Error) ++errors;
     ++printed;
   };
-  lang::Evaluated evaluated = lang::evaluate_file(arguments.scene, options);
+  lang::Evaluated evaluated = arguments.scene == "-"
+                                  ? lang::evaluate_text("standard input", standard_input(), options)
+                                  : lang::evaluate_file(arguments.scene, options);
   // Those about files are made in the end.
   while (printed < evaluated.diagnostics.size())
     options.on_diagnostic(evaluated.diagnostics[printed]);
@@ -179,6 +204,7 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
     return nullptr;
   }
   status = 0;
+  plan::lower_quality(evaluated.scene, arguments.quality);
   return kept(std::move(evaluated));
 }
 

@@ -13,7 +13,7 @@ namespace abbe::cli {
 
 /// What every subcommand that reads a scene understands.
 struct SceneArguments {
-  std::string scene;
+  std::string scene; ///< "-": standard input
   int width = 640;
   int height = 480;
   std::vector<std::string> declarations; ///< -D NAME=VALUE
@@ -28,6 +28,9 @@ struct SceneArguments {
   std::string representation;
   std::string spacing;
   bool spectral = false;
+  lang::AnimationFrame frame;  ///< which picture of a series
+  std::optional<double> clock; ///< --clock: instead of the frame's
+  int quality = 9;             ///< POV-Ray's +Q (plan/quality.hpp)
 
   void add_to(CommandLine& app, bool with_plan);
 };
@@ -39,6 +42,8 @@ std::string parse_duration(std::string const& text, double& seconds);
 /// @return the scene, which stays until the program ends (to take a large one apart, object by
 /// object, would be for nothing), or nullptr and the exit status in `status`
 lang::Evaluated* load_scene(SceneArguments const& arguments, int& status);
+/// Takes apart what load_scene gave, where there is more to come.
+void give_up(lang::Evaluated* evaluated);
 
 /// What the command line overrides.
 plan::Overrides overrides_of(SceneArguments const& arguments);

@@ -17,7 +17,7 @@ struct Arguments {
   std::string input, output;
   std::string exposure = "0";
   std::string gamut = "standard";
-  image::PngOptions png{};
+  image::DisplayOptions png{};
 };
 
 int fail(Error const& error) {
@@ -43,7 +43,7 @@ int map_file(Arguments const& arguments) {
   image::ToneReport report;
   image::Image const display = image::tone_map(*input, arguments.png.tone, &report);
   // The mapped image is in gamut, where a second mapping without exposure is the identity.
-  image::PngOptions options = arguments.png;
+  image::DisplayOptions options = arguments.png;
   options.tone = {};
   image::Status const written = image::write_png(display, arguments.output, options);
   if (!written) return fail(written.error());

@@ -11,6 +11,12 @@ inline Bounds all_space() {
   bounds.infinite = true;
   return bounds;
 }
+/// A box of these corners; all space where one of them is beyond what numbers reach.
+inline Bounds box_of(Vec3 const& low, Vec3 const& high) {
+  // Zero times infinity and zero times not-a-number are not-a-number.
+  double const zero = glm::dot(low * 0.0, Vec3(1)) + glm::dot(high * 0.0, Vec3(1));
+  return zero == 0 ? Bounds{low, high, false} : all_space();
+}
 /// What both have in common; may be empty.
 inline Bounds overlap(Bounds const& a, Bounds const& b) {
   if (a.infinite) return b;

@@ -46,7 +46,7 @@ Bounds bounds_of(std::vector<HalfSpace> const& given) {
         result.high = glm::max(result.high, corner + slack);
       }
     }
-  return result.empty() ? all_space() : result;
+  return result.empty() ? all_space() : box_of(result.low, result.high);
 }
 
 } // namespace abbe::geometry

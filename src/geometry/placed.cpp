@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/placed.hpp"
 
+#include "geometry/bounds.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -84,7 +86,7 @@ Bounds Placed::bounds() const {
   Vec3 const far = size * glm::abs(middle) + reach;
   Vec3 const off = offset_error_ + size * (inverse_error * far + size_ * offset_error_);
   Vec3 const wide = reach + gamma_bound(64) * (far + glm::abs(offset_)) + off;
-  return {centre - wide, centre + wide, false};
+  return box_of(centre - wide, centre + wide);
 }
 
 void Placed::half_spaces(std::vector<HalfSpace>& out) const {
@@ -169,7 +171,7 @@ Bounds Placed::bounds_of(Shape const& shape, Transform const& at, Mat3 const& in
   Vec3 const off = at.offset_error + at.linear_error * (glm::abs(middle) + half)
                    + size * (at.inverse_linear_error * far + inverse_size * at.offset_error);
   Vec3 const wide = reach + gamma_bound(64) * (far + glm::abs(at.offset)) + off;
-  return {centre - wide, centre + wide, false};
+  return box_of(centre - wide, centre + wide);
 }
 
 } // namespace abbe::geometry

@@ -9,21 +9,28 @@
 #include <array>
 #include <fmt/format.h>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace abbe::image {
 namespace {
 
-enum class Format { Exr, Png, Tiff };
+enum class Format { Exr, Png, Tiff, Ppm, Tga, Bmp, Jpeg, Hdr };
+
+constexpr std::pair<std::string_view, Format> extensions[] = {
+    {".exr", Format::Exr},   {".png", Format::Png}, {".tif", Format::Tiff}, {".tiff", Format::Tiff},
+    {".ppm", Format::Ppm},   {".tga", Format::Tga}, {".bmp", Format::Bmp},  {".jpg", Format::Jpeg},
+    {".jpeg", Format::Jpeg}, {".hdr", Format::Hdr}};
 
 Result<Format> format_by_extension(std::filesystem::path const& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (extension == ".exr") return Format::Exr;
-  if (extension == ".png") return Format::Png;
-  if (extension == ".tif" || extension == ".tiff") return Format::Tiff;
-  return Error{"E0512", fmt::format("cannot write '{}': {}; images are written as .exr (linear), "
-                                    ".png (sRGB) or .tif (LogLuv)",
+  for (auto const& [name, format] : extensions)
+    if (extension == name) return format;
+  return Error{"E0512", fmt::format("cannot write '{}': {}; images are written as .exr or .hdr "
+                                    "(linear), .tif (LogLuv), .png, .ppm, .tga, .bmp or .jpg "
+                                    "(sRGB)",
                                     path.string(),
                                     extension.empty() ? "its name has no extension"
                                                       : "unknown extension '" + extension + "'")};
@@ -58,7 +65,17 @@ Result<std::unique_ptr<ImageWriter>> open_writer(ImageHead head, std::filesystem
   case Format::Exr:
     return open_exr(std::move(head), path, options.exr);
   case Format::Png:
-    return open_png(std::move(head), path, options.png);
+    return open_png(std::move(head), path, options.display);
+  case Format::Ppm:
+    return open_ppm(std::move(head), path, options.display);
+  case Format::Tga:
+    return open_tga(std::move(head), path, options.display);
+  case Format::Bmp:
+    return open_bmp(std::move(head), path, options.display);
+  case Format::Jpeg:
+    return open_jpeg(std::move(head), path, options.display);
+  case Format::Hdr:
+    return open_hdr(std::move(head), path);
   case Format::Tiff:
     return open_tiff_logluv(std::move(head), path);
   }
@@ -80,7 +97,8 @@ Status write_exr(Image const& image, std::filesystem::path const& path, ExrOptio
   return write_all(image, open_exr(head_of(image), path, options));
 }
 
-Status write_png(Image const& image, std::filesystem::path const& path, PngOptions const& options) {
+Status write_png(Image const& image, std::filesystem::path const& path,
+                 DisplayOptions const& options) {
   if (Status const valid = validate(image); !valid) return valid;
   return write_all(image, open_png(head_of(image), path, options));
 }
@@ -120,6 +138,8 @@ Result<Image> read(std::filesystem::path const& path) {
     return read_png(path);
   case Format::Tiff:
     return read_tiff(path);
+  default: // format_by_content knows no other
+    break;
   }
   ABBE_ASSERT(false);
 }

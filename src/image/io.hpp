@@ -28,14 +28,18 @@ struct ExrOptions {
   enum class Depth { Float, Half } depth = Depth::Float;
 };
 
-struct PngOptions {
-  int bits = 8;       ///< 8 or 16 per channel
-  ToneOptions tone{}; ///< from linear light to [0, 1]; then the sRGB transfer function
+/// How linear light becomes the codes of a display: PNG, PPM, TGA, BMP and JPEG.
+struct DisplayOptions {
+  int bits = 8;          ///< 8 or 16 per channel; 16 of PNG and PPM only
+  ToneOptions tone{};    ///< from linear light to [0, 1]
+  double gamma = 0;      ///< codes are light to the power 1 / gamma; 0: the sRGB transfer function
+  bool compress = false; ///< TGA: run lengths
+  int quality = 95;      ///< JPEG: 1 to 100
 };
 
 struct WriteOptions {
   ExrOptions exr{};
-  PngOptions png{};
+  DisplayOptions display{};
 };
 
 /// Linear light, unclamped, with alpha and (on request) bands. Metadata become string attributes.
@@ -43,12 +47,12 @@ struct WriteOptions {
 Status write_exr(Image const& image, std::filesystem::path const& path,
                  ExrOptions const& options = {});
 
-/// Display-referred sRGB: tone_map(options.tone), sRGB transfer function, rounded to nearest; no
-/// dither. RGBA (not premultiplied, as PNG wants it) only when the image has alpha. Chunks sRGB
-/// and gAMA, metadata as tEXt (iTXt where not ASCII).
+/// Display-referred: tone_map(options.tone), transfer function, rounded to nearest; no dither. RGBA
+/// (not premultiplied, as PNG wants it) only when the image has alpha. Chunks sRGB and gAMA,
+/// metadata as tEXt (iTXt where not ASCII).
 /// @error E0516 a metadata key that PNG does not admit (1 to 79 printable ASCII characters)
 Status write_png(Image const& image, std::filesystem::path const& path,
-                 PngOptions const& options = {});
+                 DisplayOptions const& options = {});
 
 /// 32-bit LogLuv (Ward Larson 1998; libtiff's SGILOG): CIE XYZ with luminance in steps of 0.27 %
 /// over 38 decades and u'v' in steps of 1/410. Colours outside sRGB are kept. Metadata as lines
@@ -56,7 +60,11 @@ Status write_png(Image const& image, std::filesystem::path const& path,
 /// @error E0516 the image has alpha, which LogLuv cannot hold
 Status write_tiff_logluv(Image const& image, std::filesystem::path const& path);
 
-/// By the extension, in any case: .exr, .png, .tif or .tiff. @error E0512 any other
+/// By the extension, in any case: .exr, .png, .tif or .tiff (LogLuv); .ppm, .tga, .bmp, .jpg or
+/// .jpeg (display-referred, as PNG); .hdr (Radiance: linear, shared exponent).
+/// Metadata are written by PNG, EXR, TIFF and PPM (as comments). Alpha is kept by PNG, EXR, TGA and
+/// BMP; the others are shown on black. @error E0512 any other extension; E0516 16 bits where the
+/// format has 8
 Status write(Image const& image, std::filesystem::path const& path,
              WriteOptions const& options = {});
 

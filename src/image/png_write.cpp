@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "image/atomic_file.hpp"
-#include "image/colour.hpp"
+#include "image/display_rows.hpp"
 #include "image/io.hpp"
 #include "image/png_guard.hpp"
-#include "image/srgb8.hpp"
 #include "image/writer.hpp"
 
 #include <algorithm>
@@ -35,56 +34,10 @@ png_text text_of(std::string const& key, std::string const& value) {
   return text;
 }
 
-/// The rows of the file, one at a time: RGB or RGBA, 8 or 16 bits, big-endian.
-class Rows {
-public:
-  Rows(Image const& display, int bits)
-      : display_(display),
-        bytes_(bits / 8),
-        full_((1 << bits) - 1),
-        channels_(display.alpha.empty() ? 3 : 4),
-        row_(static_cast<std::size_t>(display.width)
-             * static_cast<std::size_t>(channels_ * bytes_)) {}
-
-  png_bytep row(int y) {
-    png_bytep out = row_.data();
-    auto const width = static_cast<std::size_t>(display_.width);
-    std::size_t const first = static_cast<std::size_t>(y) * width;
-    if (bytes_ == 1 && channels_ == 3) {
-      float const* const light = display_.rgb.data() + 3 * first;
-      for (std::size_t i = 0; i < 3 * width; ++i) *out++ = srgb8_.code(light[i]);
-      return row_.data();
-    }
-    for (std::size_t i = first; i < first + width; ++i) {
-      double const alpha = display_.alpha.empty() ? 1 : coverage(display_.alpha[i]);
-      for (std::size_t c = 0; c < 3; ++c) {
-        double const light = display_.rgb[3 * i + c];
-        out = put(out, srgb_encode(alpha > 0 ? std::min(light / alpha, 1.0) : 0));
-      }
-      if (channels_ == 4) out = put(out, alpha);
-    }
-    return row_.data();
-  }
-
-private:
-  static double coverage(float alpha) { return alpha > 0 ? std::min<double>(alpha, 1) : 0; }
-  png_bytep put(png_bytep out, double value) const {
-    auto const code = static_cast<unsigned>(std::floor(full_ * value + 0.5));
-    if (bytes_ == 2) *out++ = static_cast<png_byte>(code >> 8);
-    *out++ = static_cast<png_byte>(code & 0xff);
-    return out;
-  }
-  Image const& display_;
-  Srgb8 const& srgb8_ = Srgb8::instance();
-  int bytes_;
-  double full_;
-  int channels_;
-  std::vector<png_byte> row_;
-};
-
 class PngWriter final : public ImageWriter {
 public:
-  PngWriter(ImageHead head, PngOptions const& options, std::filesystem::path path, AtomicFile file)
+  PngWriter(ImageHead head, DisplayOptions const& options, std::filesystem::path path,
+            AtomicFile file)
       : head_(std::move(head)), options_(options), path_(std::move(path)), file_(std::move(file)) {}
   ~PngWriter() override {
     png_destroy_info_struct(png_, &end_);
@@ -113,7 +66,10 @@ public:
       // Files are a tenth larger than at the default, 6, at most; that took a third of the time of
       // simple pictures, this takes two fifths of it.
       png_set_compression_level(png_, 3);
-      png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
+      if (options_.gamma > 0)
+        png_set_gAMA(png_, info_, 1 / options_.gamma);
+      else
+        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
       png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
       png_write_info(png_, info_);
     });
@@ -121,9 +77,9 @@ public:
 
   Status write(Image const& part) override {
     Image const display = tone_map(part, options_.tone);
-    Rows rows(display, options_.bits);
+    DisplayRows rows(display, options_);
     return guarded([&] {
-      for (int y = 0; y < display.height; ++y) png_write_row(png_, rows.row(y));
+      for (int y = 0; y < display.height; ++y) png_write_row(png_, rows.row(y).data());
     });
   }
 
@@ -155,7 +111,7 @@ private:
   }
 
   ImageHead head_;
-  PngOptions options_;
+  DisplayOptions options_;
   std::filesystem::path path_;
   AtomicFile file_;
   PngErrors errors_;
@@ -167,7 +123,7 @@ private:
 } // namespace
 
 Result<std::unique_ptr<ImageWriter>> open_png(ImageHead head, std::filesystem::path const& path,
-                                              PngOptions const& options) {
+                                              DisplayOptions const& options) {
   auto const refuse = [&](std::string const& why) {
     return Error{"E0516", fmt::format("cannot write '{}': {}", path.string(), why)};
   };

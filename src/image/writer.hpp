@@ -47,9 +47,18 @@ Result<std::unique_ptr<ImageWriter>> open_writer(ImageHead head, std::filesystem
 
 /// The kinds, for image/io.cpp.
 Result<std::unique_ptr<ImageWriter>> open_png(ImageHead head, std::filesystem::path const& path,
-                                              PngOptions const& options);
+                                              DisplayOptions const& options);
 Result<std::unique_ptr<ImageWriter>> open_exr(ImageHead head, std::filesystem::path const& path,
                                               ExrOptions const& options);
+Result<std::unique_ptr<ImageWriter>> open_ppm(ImageHead head, std::filesystem::path const& path,
+                                              DisplayOptions const& options);
+Result<std::unique_ptr<ImageWriter>> open_tga(ImageHead head, std::filesystem::path const& path,
+                                              DisplayOptions const& options);
+Result<std::unique_ptr<ImageWriter>> open_bmp(ImageHead head, std::filesystem::path const& path,
+                                              DisplayOptions const& options);
+Result<std::unique_ptr<ImageWriter>> open_jpeg(ImageHead head, std::filesystem::path const& path,
+                                               DisplayOptions const& options);
+Result<std::unique_ptr<ImageWriter>> open_hdr(ImageHead head, std::filesystem::path const& path);
 Result<std::unique_ptr<ImageWriter>> open_tiff_logluv(ImageHead head,
                                                       std::filesystem::path const& path);
 

@@ -140,6 +140,7 @@ Value effects_value(Reader& in, std::string_view) {
 }
 Value background_value(Reader& in, std::string_view) {
   state_of(in).scene.background = read_colour(in, "the background");
+  state_of(in).scene.has_background = true;
   while (!in.at_end()) reject(in, "the end of background");
   return {};
 }

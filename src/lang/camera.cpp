@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/shapes/mesh.hpp"
 #include "lang/blocks.hpp"
 #include "lang/unsupported.hpp"
 #include "simd/math.hpp"
@@ -24,38 +25,157 @@ struct Draft {
   Vec3 sky{0, 1, 0};
   std::optional<Vec3> look_at;
   std::optional<double> angle_deg; ///< 0 leaves the direction as it is
-  bool frame_given = false;        ///< right or up is written
-  bool failed = false;             ///< reported as degenerate
+  std::optional<double> vertical_angle_deg;
+  Span angle_span;
+  std::optional<Vec3> focal_point;
+  bool frame_given = false; ///< right or up is written
+  bool failed = false;      ///< reported as degenerate
   geometry::Transform transform;
 };
 
-double read_angle(Reader& in) {
-  Span const at = in.next_span();
-  double const angle = in.number("angle");
-  if (angle >= 0 && angle < 180) return angle;
-  in.report(
-      Severity::Error, "E0353",
-      fmt::format("the camera's angle must be at least 0 and below 180 degrees, not {}", angle),
-      at);
-  return 60;
+using Kind = Camera::Kind;
+
+/// `angle a`, of a spherical camera `angle across, down`.
+void read_angle(Reader& in, Draft& draft) {
+  draft.angle_span = in.next_span();
+  draft.angle_deg = in.number("angle");
+  if (in.next() == Next::Numeric) draft.vertical_angle_deg = in.number("the angle down");
 }
 
-/// Of these the other items mean something else.
-bool is_projection(std::string_view word) {
-  constexpr std::string_view words[] = {"fisheye",   "mesh_camera", "omnimax",
-                                        "panoramic", "spherical",   "ultra_wide_angle"};
-  return std::ranges::find(words, word) != std::end(words);
+void check_angle(Reader& in, Draft& draft) {
+  if (!draft.angle_deg) return;
+  bool const flat = draft.camera.kind <= Kind::Orthographic;
+  double const most = flat ? 180 : 360;
+  auto const wrong = [&](double angle) {
+    return !(angle >= 0) || angle > most || (flat && angle == most);
+  };
+  double const given =
+      wrong(*draft.angle_deg) ? *draft.angle_deg : draft.vertical_angle_deg.value_or(0);
+  if (wrong(given)) {
+    in.report(Severity::Error, "E0353",
+              fmt::format("the camera's angle must be at least 0 and {} {} degrees, not {}",
+                          flat ? "below" : "at most", most, given),
+              draft.angle_span);
+    draft.angle_deg = 60;
+  }
+  if (draft.vertical_angle_deg && draft.camera.kind != Kind::Spherical)
+    in.report(Severity::Error, "E0353", "only a spherical camera takes a second angle",
+              draft.angle_span);
+  if (draft.camera.kind == Kind::Omnimax || draft.camera.kind == Kind::Panoramic)
+    in.report(Severity::Warning, "E0257",
+              fmt::format("'angle' has no effect on a camera that is {}: its angle is fixed",
+                          scene::camera_words[static_cast<std::size_t>(draft.camera.kind)]),
+              draft.angle_span);
+}
+
+int whole(Reader& in, std::string_view name, int least, int most) {
+  Span const at = in.next_span();
+  double const value = in.number(name);
+  if (value >= least && value <= most) return static_cast<int>(value);
+  in.report(Severity::Error, "E0353",
+            fmt::format("{} must be from {} to {}, not {}", name, least, most, value), at);
+  return least;
+}
+
+/// The faces of a mesh in the space of the scene.
+std::vector<scene::MeshCamera::Face> faces_of(geometry::Mesh const& mesh,
+                                              geometry::Transform const& placement) {
+  std::vector<scene::MeshCamera::Face> faces;
+  for (auto const& own : mesh.faces_of_file()) {
+    scene::MeshCamera::Face face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corners[k] = placement.point(own.corners[k]);
+      if (own.smooth) face.normals[k] = glm::normalize(placement.normal(own.normals[k]));
+    }
+    auto const& p = face.corners;
+    // Seen from the side that it points to, the corners run clockwise.
+    face.normal = glm::normalize(glm::cross(p[2] - p[0], p[1] - p[0]));
+    face.uv = own.uv;
+    face.smooth = own.smooth;
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+/// `mesh_camera { rays a pixel, distribution [, distance] meshes [smooth] }`.
+std::shared_ptr<scene::MeshCamera const> read_mesh_camera(Reader& in) {
+  auto camera = std::make_shared<scene::MeshCamera>();
+  Span const span = in.block_span();
+  camera->rays_per_pixel = whole(in, "the rays of a pixel", 1, 100000);
+  camera->distribution = whole(in, "the distribution of a mesh_camera", 0, 3);
+  if (in.next() == Next::Numeric) {
+    Span const at = in.next_span();
+    if (in.number("the longest way") > 0)
+      in.report(Severity::Error, "E0901",
+                "a bound on the rays of a mesh_camera is not supported yet", at);
+  }
+  while (!in.at_end()) {
+    Span const at = in.next_span();
+    if (in.accept("smooth")) {
+      camera->smooth = true;
+    } else if (auto object = accept_object(in)) {
+      auto const* const mesh = dynamic_cast<geometry::Mesh const*>(object->shape.get());
+      if (mesh != nullptr)
+        camera->meshes.push_back(faces_of(*mesh, object->placement));
+      else
+        in.report(Severity::Error, "E0250", "a mesh_camera is made of meshes", at);
+    } else {
+      reject(in, "a mesh");
+    }
+  }
+  if (camera->meshes.empty()) {
+    in.report(Severity::Error, "E0250", "a mesh_camera needs at least one mesh", span);
+    camera->meshes.emplace_back();
+  }
+  return camera;
 }
 
 bool read_kind(Reader& in, Camera& camera) {
-  if (in.accept("perspective")) {
-    camera.kind = Camera::Kind::Perspective;
-  } else if (in.accept("orthographic")) {
-    camera.kind = Camera::Kind::Orthographic;
-  } else if (in.next_word() == "cylinder") {
-    in.report(Severity::Error, "E0901", "'cylinder' in a camera is not supported yet",
-              in.next_span());
-    skip_rest(in);
+  for (std::size_t i = 0; i < std::size(scene::camera_words); ++i) {
+    auto const kind = static_cast<Kind>(i);
+    if (kind == Kind::Mesh ? !in.open(scene::camera_words[i]) : !in.accept(scene::camera_words[i]))
+      continue;
+    camera.kind = kind;
+    if (kind == Kind::Mesh) {
+      camera.mesh = read_mesh_camera(in);
+      in.close();
+      return true;
+    }
+    if (camera.kind != Kind::Cylinder) return true;
+    Span const at = in.next_span();
+    double const type = in.number("the type of cylinder");
+    if (type == 1 || type == 2 || type == 3 || type == 4)
+      camera.cylinder_type = static_cast<std::uint8_t>(type);
+    else
+      in.report(Severity::Error, "E0353",
+                fmt::format("the type of a cylinder camera is 1, 2, 3 or 4, not {}", type), at);
+    return true;
+  }
+  return false;
+}
+
+/// The lens of focal blur. What says how many rays are enough is checked, and all `blur_samples`
+/// are taken.
+bool read_lens(Reader& in, Draft& draft) {
+  auto const positive = [&](std::string_view name) {
+    Span const at = in.next_span();
+    double const value = in.number(name);
+    if (value >= 0) return value;
+    in.report(Severity::Error, "E0353", fmt::format("'{}' must not be negative", name), at);
+    return 0.0;
+  };
+  if (in.accept("aperture")) {
+    draft.camera.aperture = positive("aperture");
+  } else if (in.accept("blur_samples")) {
+    double most = positive("blur_samples");
+    if (in.next() == Next::Numeric) most = positive("blur_samples");
+    draft.camera.blur_samples = static_cast<int>(std::min(most, 1e6));
+  } else if (in.accept("focal_point")) {
+    draft.focal_point = in.vec3("focal_point");
+  } else if (in.accept("confidence")) {
+    positive("confidence");
+  } else if (in.accept("variance")) {
+    positive("variance");
   } else {
     return false;
   }
@@ -114,17 +234,47 @@ void aim(Reader& in, Draft& draft) {
   camera.right = right * ((left_handed ? 1 : -1) * glm::length(camera.right));
 }
 
+void work_in_lens(Reader& in, Draft& draft) {
+  Camera& camera = draft.camera;
+  if (camera.aperture > 0 && camera.blur_samples <= 0) {
+    in.report(Severity::Warning, "E0257", "'aperture' has no effect without 'blur_samples'",
+              camera.span);
+    camera.aperture = 0;
+  }
+  if (!(camera.aperture > 0)) return;
+  if (camera.kind > Kind::Orthographic) {
+    in.report(Severity::Error, "E0901",
+              "focal blur of a camera that is neither perspective nor orthographic is not "
+              "supported yet",
+              camera.span);
+    camera.aperture = 0;
+    return;
+  }
+  camera.focal_distance = 1; // POV-Ray's, where no focal_point is given
+  if (!draft.focal_point) return;
+  camera.focal_distance = glm::length(*draft.focal_point - camera.location);
+  if (!(camera.focal_distance > 0)) fail(in, draft, "the camera's focal_point is its location");
+}
+
 void work_in(Reader& in, Draft& draft) {
   Camera& camera = draft.camera;
   double const right = glm::length(camera.right);
   double const direction = glm::length(camera.direction);
   if (!(right > 0) || !(direction > 0) || !(glm::length(camera.up) > 0))
     return fail(in, draft, "the camera's right, up and direction must not be zero");
-  if (draft.angle_deg.value_or(0) > 0) {
+  check_angle(in, draft);
+  bool const flat = camera.kind <= Kind::Orthographic;
+  if (flat && draft.angle_deg.value_or(0) > 0) {
     double const half_rad = *draft.angle_deg / 2 * (std::numbers::pi / 180);
     camera.direction *= right / (2 * simd::tan(half_rad)) / direction;
   }
+  if (!flat) {
+    bool const spherical = camera.kind == Kind::Spherical;
+    camera.angle_deg = draft.angle_deg.value_or(spherical ? 360 : 90);
+    camera.vertical_angle_deg = draft.vertical_angle_deg.value_or(camera.angle_deg / 2);
+  }
   if (draft.look_at) aim(in, draft);
+  work_in_lens(in, draft);
   if (camera.kind == Camera::Kind::Orthographic && (!draft.frame_given || draft.angle_deg)) {
     double const distance = glm::length(draft.look_at.value_or(Vec3(0, 0, 1)) - camera.location);
     double const size = distance / glm::length(camera.direction);
@@ -147,7 +297,7 @@ constexpr double edge = 0.7;
 
 /// Has a point of the picture a ray without a direction? @param c its vectors lie in one plane
 bool has_lost_ray(Camera const& c) {
-  if (c.kind == Camera::Kind::Orthographic) return false;
+  if (c.kind != Camera::Kind::Perspective) return false;
   Vec3 const axis = glm::cross(c.right, c.up);
   double const area2 = glm::dot(axis, axis);
   double const right = glm::length(c.right), up = glm::length(c.up);
@@ -190,11 +340,9 @@ scene::Camera read_camera(Reader& in) {
   } else {
     while (!in.at_end()) {
       if (in.accept("angle"))
-        draft.angle_deg = read_angle(in);
-      else if (is_projection(in.next_word())) {
-        skip_rest_if_unsupported(in);
-      } else if (!read_kind(in, draft.camera) && !read_vectors(in, draft)
-                 && !read_transform(in, draft.transform))
+        read_angle(in, draft);
+      else if (!read_kind(in, draft.camera) && !read_vectors(in, draft) && !read_lens(in, draft)
+               && !read_transform(in, draft.transform) && !skip_rest_if_unsupported(in))
         reject(in, "a camera item");
     }
     work_in(in, draft);

@@ -84,10 +84,7 @@ public:
 
   void scene(scene::Scene const& s) {
     settings(s.settings);
-    line("camera {} location {} direction {} up {} right {}",
-         s.camera.kind == scene::Camera::Kind::Perspective ? "perspective" : "orthographic",
-         text(s.camera.location), text(s.camera.direction), text(s.camera.up),
-         text(s.camera.right));
+    camera(s.camera);
     line("background {}", text(s.background));
     if (s.sky_sphere) sky(*s.sky_sphere);
     for (scene::Light const& l : s.lights) light(l);
@@ -99,6 +96,19 @@ public:
   }
 
 private:
+  void camera(scene::Camera const& c) {
+    std::string kind(scene::camera_words[static_cast<std::size_t>(c.kind)]);
+    if (c.kind == scene::Camera::Kind::Cylinder) kind += fmt::format(" {}", c.cylinder_type);
+    std::string more;
+    if (c.kind >= scene::Camera::Kind::Fisheye)
+      more += fmt::format(" angle {} {}", text(c.angle_deg), text(c.vertical_angle_deg));
+    if (c.aperture > 0)
+      more += fmt::format(" aperture {} focal_distance {} blur_samples {}", text(c.aperture),
+                          text(c.focal_distance), c.blur_samples);
+    line("camera {} location {} direction {} up {} right {}{}", kind, text(c.location),
+         text(c.direction), text(c.up), text(c.right), more);
+  }
+
   template <class... A>
   void line(fmt::format_string<A...> format, A&&... arguments) {
     out_.append(static_cast<std::size_t>(2 * depth_), ' ');

@@ -151,7 +151,7 @@ bool read_other(Reader& in, Draft& draft) {
   if (read_transform(in, transform)) {
     draft.transform(transform);
   } else if (in.accept("quick_color") || in.accept("quick_colour")) {
-    read_colour(in, "quick_color"); // only for POV-Ray's lowest qualities
+    draft.pigment.quick_colour = std::make_shared<scene::Colour>(read_colour(in, "quick_color"));
   } else if (auto named = in.accept_copied<Pigment>(!draft.begun, draft.words.block)) {
     draft.pigment = *named;
     draft.moved = {};

@@ -135,6 +135,7 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
     stage.rgb_weights = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   }
   stage.camera = transport::make_camera(scene.camera);
+  stage.lens = transport::Lens::of(scene.camera);
   stage.eye = scene.camera.location;
   set_limits(scene.settings, stage);
   stage.textures.channels = stage.channels;

@@ -14,6 +14,7 @@
 #include "scene/light.hpp"
 #include "texture/pattern.hpp"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -43,6 +44,8 @@ struct Pigment {
   };
   std::vector<Entry> entries;
   bool default_entries = false; ///< the scene gave no map: entries are the pattern's own
+  /// `quick_color`: of the whole pigment at low qualities (plan/quality.hpp); null: none.
+  std::shared_ptr<Colour const> quick_colour;
 };
 
 struct Reflection {
@@ -165,16 +168,54 @@ struct Object {
   Few<Object> bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
 };
 
+/// Meshes whose faces are the pixels of a picture. The camera's location and direction tell by
+/// their z alone: how far in front of the faces rays begin, and to which side they go.
+struct MeshCamera {
+  struct Face {
+    std::array<Vec3, 3> corners;
+    Vec3 normal{0};              ///< unit
+    std::array<Vec3, 3> normals; ///< unit, where smooth
+    std::array<Vec2, 3> uv;
+    bool smooth = false;
+  };
+  int rays_per_pixel = 1;
+  /// 0: a mesh a ray; 1: all meshes together; 2: meshes side by side; 3: by uv.
+  int distribution = 0;
+  bool smooth = false; ///< of distribution 3: normals between the corners'
+  std::vector<std::vector<Face>> meshes;
+};
+
 /// As POV-Ray's camera after look_at, angle and transforms have been worked in.
 struct Camera {
-  enum class Kind : std::uint8_t { Perspective, Orthographic };
+  enum class Kind : std::uint8_t {
+    Perspective,
+    Orthographic,
+    Fisheye,
+    UltraWideAngle,
+    Omnimax,
+    Panoramic,
+    Cylinder,
+    Spherical,
+    Mesh
+  };
   Span span;
   Kind kind = Kind::Perspective;
+  std::uint8_t cylinder_type = 1; ///< 1 to 4, as written
   Vec3 location{0};
   Vec3 direction{0, 0, 1};
   Vec3 up{0, 1, 0};
   Vec3 right{1.33, 0, 0};
+  /// What the picture shows across and, of Spherical, down; of kinds from Fisheye on.
+  double angle_deg = 90, vertical_angle_deg = 90;
+  /// Focal blur, of perspective and orthographic cameras: the diameter of the lens, the distance
+  /// along `direction` at which all is sharp, and the rays of a sample. No lens: 0.
+  double aperture = 0, focal_distance = 0;
+  int blur_samples = 0;
+  std::shared_ptr<MeshCamera const> mesh; ///< of Kind::Mesh
 };
+inline constexpr std::string_view camera_words[] = {
+    "perspective", "orthographic", "fisheye",   "ultra_wide_angle", "omnimax",
+    "panoramic",   "cylinder",     "spherical", "mesh_camera"};
 
 /// How light is put into numbers (docs/dispersion.md).
 /// Bands: means over bands. Composite: bands for what is smooth, and a channel for each emission
@@ -235,6 +276,7 @@ struct Scene {
   std::vector<Light> lights;
   Camera camera;
   Colour background;
+  bool has_background = false; ///< a `background` stands in the scene: it is there in alpha too
   std::optional<SkySphere> sky_sphere;
   std::vector<Fog> fogs;
   std::vector<Rainbow> rainbows;

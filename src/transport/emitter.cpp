@@ -31,13 +31,18 @@ Queues<QueueKey>& Emitter::turn() {
   std::swap(now_, next_);
   next_->clear();
   if (stage_.most_rays == 0) return *now_;
-  // Twice as much for each sixteenth more, up to what POV-Ray ends all paths at.
+  // Twice as much for each sixteenth more, up to what POV-Ray ends all paths at. Mirrors that give
+  // back more than they get would go on for ever: a sample that has taken 64 times the rays asks
+  // for more and more without a bound.
   constexpr double most = 1.0 / 255;
+  constexpr double endless = 64;
   double const step = stage_.most_rays / 16.0;
   for (std::size_t sample = 0; sample < rays_of_sample.size(); ++sample) {
     if (rays_of_sample[sample] <= stage_.most_rays) continue;
     double const over = (rays_of_sample[sample] - stage_.most_rays) / step;
     thresholds_[sample] = std::min(most, stage_.adc_bailout * simd::exp(std::numbers::ln2 * over));
+    double const beyond = rays_of_sample[sample] / (endless * stage_.most_rays) - 1;
+    if (beyond > 0) thresholds_[sample] *= simd::exp(std::min(16 * beyond, 800.0));
   }
   return *now_;
 }

@@ -7,6 +7,13 @@
 
 namespace abbe::transport {
 
+namespace {
+
+/// Surfaces at one place that light may pass one after the other.
+constexpr int most_without_way = 4096;
+
+} // namespace
+
 Shadows::Shadows(Stage const& stage, Arena& arena, geometry::Scratch& scratch, SampleFilm& film,
                  MediaStacks& stacks, Paths& paths)
     : stage_(stage),
@@ -135,6 +142,7 @@ Passage Shadows::passage(Rays& rays, std::size_t k, double const* distance) {
 
 void Shadows::filter(Rays& rays, Lamp const& lamp, geometry::Groups const& groups) {
   geometry::Groups const* from = &groups;
+  stuck_.assign(rays.count(), 0);
   for (int turn = 0; rays.count() > 0; turn = 1 - turn) {
     stage_.world->intersect(rays.lines(*from), filter_shadow_bit, rays.rest.data(), scratch_,
                             hits_);
@@ -145,10 +153,18 @@ void Shadows::filter(Rays& rays, Lamp const& lamp, geometry::Groups const& group
       // What the lamp lies on, within rounding errors, is not in its way.
       bool const met = hits_.hit[k].kind != geometry::RayHit::Kind::Nothing
                        && hits_.t[k] + hits_.error[k] < rays.rest[k];
-      if (!met)
+      if (!met) {
         arrive(rays, lamp, k);
-      else if (pass(rays, lamp, k, starts))
-        rays.move(k, left++);
+        continue;
+      }
+      double const before = rays.rest[k];
+      if (!pass(rays, lamp, k, starts)) continue;
+      // A ray that passes surface after surface without coming nearer to the lamp goes to and fro
+      // between two whose places are less exact than they are apart: it never arrives.
+      int const stuck = rays.rest[k] < before ? 0 : stuck_[k] + 1;
+      if (stuck > most_without_way) continue;
+      stuck_[left] = static_cast<std::uint16_t>(stuck);
+      rays.move(k, left++);
     }
     rays.keep_first(left);
     from = &starts;

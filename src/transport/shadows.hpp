@@ -65,6 +65,7 @@ private:
   geometry::Hits hits_;
   geometry::Groups starts_[2];
   std::vector<std::uint8_t> blocked_;
+  std::vector<std::uint16_t> stuck_; ///< of filtered rays: surfaces passed without any way
   std::vector<std::uint16_t> channels_;
   std::vector<geometry::RayStart> anywhere_;
   std::vector<double> to_gate_;

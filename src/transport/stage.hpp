@@ -8,6 +8,7 @@
 #include "surface/reader.hpp"
 #include "transport/air/air_effect.hpp"
 #include "transport/cameras/camera.hpp"
+#include "transport/cameras/lens.hpp"
 #include "transport/lamps/lamp.hpp"
 #include "transport/segments/segment.hpp"
 
@@ -80,7 +81,8 @@ struct Stage {
   Mat3 to_sky_linear{1};
   Vec3 to_sky_offset{0};
   std::unique_ptr<Camera const> camera;
-  Vec3 eye{0}; ///< where the camera stands in the scene, which all else is relative to
+  std::optional<Lens> lens; ///< of focal blur
+  Vec3 eye{0};              ///< where the camera stands in the scene, which all else is relative to
   /// A ray with no lane above this throughput is dropped, and one below this
   /// level. What that takes away at most is summed up (CutLight).
   double adc_bailout = 1.0 / 255;

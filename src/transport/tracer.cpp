@@ -15,8 +15,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of a generation, before some samples wait: what fits the caches.
 constexpr std::size_t most_rays = std::size_t{1} << 14;
 
+int rays_of_point(Stage const& stage) {
+  return stage.lens ? stage.lens->rays() : stage.camera->rays_of_point();
+}
+
 /// Large enough for full buckets, and small enough for the caches.
 std::size_t batch_of(Stage const& stage) {
+  if (int const each = rays_of_point(stage); each > 1)
+    return std::max<std::size_t>(1, 1024 / static_cast<std::size_t>(each));
   std::size_t lanes = static_cast<std::size_t>(stage.channels);
   for (auto const& comb : stage.combs)
     lanes += static_cast<std::size_t>(std::max(comb.teeth, stage.channels));
@@ -43,7 +49,7 @@ Tracer::Tracer(Stage const& stage, Footprint footprint, PathRecord* record)
   for (geometry::SolidId solid = 0; solid < stage.solids.size(); ++solid)
     if (stage.solids[solid].counts() && !stage.solids[solid].sheet)
       media_bounds_.push_back(stage.world->bounds(solid));
-  if (stage.camera->has_one_point()) camera_stack_ = inside_at(Vec3(0));
+  if (stage.camera->has_one_point() && !stage.lens) camera_stack_ = inside_at(Vec3(0));
 }
 
 MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
@@ -62,32 +68,53 @@ MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
   return stack;
 }
 
+namespace {
+
+/// Rays of points that show nothing go somewhere, without light; those of one point share its
+/// light. @param each rays of a point
+void darken_unseen(Rays& rays, std::size_t each) {
+  for (std::size_t first = 0; first < rays.count(); first += each) {
+    std::size_t seen = 0;
+    for (std::size_t k = first; k < first + each; ++k) seen += rays.direction.get(k) != Vec3(0);
+    for (std::size_t k = first; k < first + each; ++k) {
+      bool const sees = rays.direction.get(k) != Vec3(0);
+      if (!sees) rays.direction.set(k, Vec3(0, 0, 1));
+      std::fill_n(rays.light_of(k), rays.kind().size(),
+                  sees ? 1.0 / static_cast<double>(seen) : 0.0);
+    }
+  }
+}
+
+} // namespace
+
 void Tracer::start_camera(PicturePoints const& points, std::span<SampleKey const> keys) {
   LightKind const kind{stage_.channels};
   Rays& rays = emitter_.queue({kind, camera_bit, false});
-  rays.add(points.count);
+  auto const each = static_cast<std::size_t>(rays_of_point(stage_));
+  std::size_t const count = points.count * each;
+  rays.add(count);
   stage_.camera->rays(points, rays.origin, rays.direction);
-  std::size_t const count = points.count;
+  if (stage_.lens) stage_.lens->spread(rays, keys);
   for (double* const error : {rays.origin_error.x, rays.origin_error.y, rays.origin_error.z})
     std::fill_n(error, count, 0.0);
   std::fill_n(rays.start.begin(), count, geometry::RayStart());
   for (auto* const numbers : {&rays.channel, &rays.tooth, &rays.level})
     std::fill_n(numbers->begin(), count, std::uint16_t{0});
-  std::fill_n(rays.light.begin(), count * kind.size(), 1.0);
+  std::fill_n(rays.light.begin(), count * kind.size(), 1.0 / static_cast<double>(each));
+  if (!stage_.camera->sees_all()) darken_unseen(rays, each);
   if (camera_stack_)
     std::fill_n(rays.stack.begin(), count, *camera_stack_);
   else
     for (std::size_t k = 0; k < count; ++k) rays.stack[k] = inside_at(rays.origin.get(k));
   for (std::size_t k = 0; k < count; ++k) {
-    rays.slot[k] = film_.channel_slot(static_cast<SampleFilm::Block>(k), 0);
-    emitter_.count_ray(k);
+    rays.slot[k] = film_.channel_slot(static_cast<SampleFilm::Block>(k / each), 0);
+    emitter_.count_ray(k / each);
   }
   if (emitter_.fields().travelled) std::fill_n(rays.travelled.begin(), count, 0.0);
   if (emitter_.fields().path) std::fill_n(rays.path.begin(), count, Paths::none);
-  emitter_.counts.camera += keys.size();
+  emitter_.counts.camera += count;
   if (stage_.max_trace_level > 0) return;
-  for (std::size_t k = 0; k < points.count; ++k)
-    emitter_.cut(rays.slot[k], rays.light_of(k), kind.size());
+  for (std::size_t k = 0; k < count; ++k) emitter_.cut(rays.slot[k], rays.light_of(k), kind.size());
   rays.clear();
 }
 

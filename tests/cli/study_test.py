@@ -37,7 +37,7 @@ class RenderRecords(CliTest):
     def test_cost_map_keeps_no_checkpoint(self):
         self.render('-o', 'a.png', '--cost-map', 'c.exr', '--checkpoint', status=2)
         self.render('-o', 'a.png', '--cost-map', 'c.exr', '--resume', status=2)
-        self.render('-o', 'a.png', '--cost-map', 'c.jpg', status=2)
+        self.render('-o', 'a.png', '--cost-map', 'c.webp', status=2)
 
     def test_max_trace_level(self):
         self.write('glass.scn', GLASS)

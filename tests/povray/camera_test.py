@@ -61,6 +61,39 @@ orthographic location <0, 0, -5> look_at 0 angle 0 right 0.8*x up 0.6*y
 orthographic location <0, 0, -5> look_at 0 angle 0 right -0.8*x direction 2*z
 '''.strip().splitlines()
 
+# A quad of two faces with uv, and a mesh with a face for each pixel, rays of which go where the camera at z would look.
+MESHES = '''
+#declare Quad = mesh2 {
+  vertex_vectors { 4, <-3, -2, -5>, <3, -2, -5>, <3, 2, -5>, <-3, 2, -5> }
+  normal_vectors { 4, <-.3, -.2, 1>, <.3, -.2, 1>, <.3, .2, 1>, <-.3, .2, 1> }
+  uv_vectors { 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> }
+  face_indices { 2, <0, 1, 2>, <0, 2, 3> } normal_indices { 2, <0, 1, 2>, <0, 2, 3> } uv_indices { 2, <0, 1, 2>, <0, 2, 3> }
+}
+#macro Faces(Shift)
+  mesh { #for (J, 0, 35) #for (I, 0, 47)
+    #local P = <(I - 23.5) / 8 + Shift, (17.5 - J) / 8, -5>;
+    triangle { P, P + <.1, 0, (I - 24) / 400>, P + <0, .1, (17 - J) / 400> }
+  #end #end }
+#end
+#declare Plane = Faces(0);
+#declare Shifted = Faces(.3);
+#declare Half = mesh { #for (J, 0, 35) #for (I, 0, 23)
+    #local P = <(I - 11.5) / 4, (17.5 - J) / 8, -5>;
+    triangle { P, P + .1*x, P + .1*y }
+  #end #end }
+'''
+MESH_CAMERAS = '''
+mesh_camera { 1 0 mesh { Plane } } location <0, 0, -.01>
+mesh_camera { 1 0 mesh { Plane } } location <0, 0, .01> direction -z
+mesh_camera { 1 0 mesh { Plane rotate 10*y translate .4*x } } direction -z
+mesh_camera { 2 0 mesh { Plane } mesh { Shifted } } direction -z
+mesh_camera { 2 1 mesh { Plane } mesh { Shifted } } direction -z
+mesh_camera { 1 2 mesh { Half } mesh { Half translate .2*x } } direction -z
+mesh_camera { 1 3 mesh { Quad } } direction -z
+mesh_camera { 1 3 mesh { Quad } smooth } location <0, 0, -.01>
+mesh_camera { 3 0 mesh { Plane } mesh { Half } mesh { Shifted } } direction -z
+'''.strip().splitlines()
+
 CHOICES = [
     ('', 'perspective', 'orthographic'),
     ('location <2.3, 1.5, 1.7>', 'location <0, 0, -5>', 'location <0, 6, 0>', 'location <-4, 0, 0>'),
@@ -72,6 +105,11 @@ CHOICES = [
     ('', 'angle 40', 'angle 75', 'angle 0'),
     ('', 'rotate 30*y', 'translate 0.3*x rotate 20*z', 'scale <1, 1, -1>'),
 ]
+
+
+CURVED = ('fisheye', 'ultra_wide_angle', 'omnimax', 'panoramic', 'cylinder 1', 'cylinder 2', 'cylinder 3', 'cylinder 4',
+          'spherical')
+CURVED_ANGLES = ('', 'angle 60', 'angle 180', 'angle 250')
 
 
 def spheres() -> str:
@@ -100,14 +138,20 @@ def cameras() -> list:
             kind, *others = items  # POV-Ray wants the kind first
             draw.shuffle(others)
             made.append(' '.join(item for item in (kind, *others) if item))
-    return made
+    for kind, angle in itertools.product(CURVED, CURVED_ANGLES):
+        items = [draw.choice(choice) for choice in CHOICES[1:7] + CHOICES[8:]] + [angle]
+        draw.shuffle(items)
+        made.append(' '.join(item for item in (kind, *items) if item))
+    return made + ['spherical location <0, 0, -3> look_at 0 angle 120, 40',
+                   'fisheye location <0, 0, -3> right x up y look_at 0 angle 140',
+                   'omnimax location <0, 0, -3> right x up y look_at 0']
 
 
 class Cameras(unittest.TestCase):
     def test_pictures_are_those_of_povray(self) -> None:
         folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)
-        world, made = HEAD + spheres(), cameras()
+        world, made = HEAD + MESHES + spheres(), cameras() + MESH_CAMERAS
         # One run of POV-Ray: a camera a frame.
         cases = ''.join(f'#case ({k}) camera {{ {text} }} #break\n' for k, text in enumerate(made))
         (folder / 'all.pov').write_text(f'{world}#switch (frame_number)\n{cases}#end\n', encoding='utf-8')

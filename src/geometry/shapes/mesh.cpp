@@ -44,6 +44,23 @@ Mesh::Extent Mesh::extent(Corners const& face) const {
   return {glm::min(a, glm::min(b, c)) - box_slack, glm::max(a, glm::max(b, c)) + box_slack};
 }
 
+std::vector<Mesh::FileFace> Mesh::faces_of_file() const {
+  hierarchy(); // now the faces stand as they will stay
+  std::vector<FileFace> faces(data_.faces.size());
+  for (std::uint32_t i = 0; i < data_.faces.size(); ++i) {
+    FileFace& face = faces[hierarchy_.order[i]];
+    Corners const& normals = normals_of(i);
+    Corners const& uv = data_.uv_corners.empty() ? data_.faces[i] : data_.uv_corners[i];
+    face.smooth = smoothed() && normals[0] != MeshData::flat;
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corners[k] = data_.vertices[data_.faces[i][k]];
+      face.normals[k] = face.smooth ? data_.normals[normals[k]] : Vec3(0);
+      face.uv[k] = data_.uv.empty() ? Vec2(0) : data_.uv[uv[k]];
+    }
+  }
+  return faces;
+}
+
 Bvh const& Mesh::hierarchy() const {
   if (!hierarchy_.there.load(std::memory_order_acquire)) {
     std::call_once(hierarchy_.once, [this] {
@@ -62,7 +79,8 @@ void Mesh::build() const {
     boxes.push_back(space_.box(low, high, static_cast<std::uint32_t>(boxes.size())));
   }
   hierarchy_.bvh = Bvh(space_, std::move(boxes), 4);
-  std::vector<std::uint32_t> const order = hierarchy_.bvh.take_items();
+  hierarchy_.order = hierarchy_.bvh.take_items();
+  auto const& order = hierarchy_.order;
   permute(data_.faces, order);
   permute(data_.normal_corners, order);
   permute(data_.uv_corners, order);

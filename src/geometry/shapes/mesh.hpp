@@ -5,6 +5,7 @@
 #include "geometry/shapes/normal_kernel.hpp"
 #include "geometry/shapes/triangle_walk.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
@@ -62,6 +63,15 @@ public:
   std::optional<FaceBlend> face_blend(Vec3 const& point, std::uint32_t face) const override;
   std::optional<Vec2> uv(Vec3 const& point, std::uint32_t face) const override;
   std::size_t memory() const; ///< bytes, for the tests
+  /// A face in the mesh's own space.
+  struct FileFace {
+    std::array<Vec3, 3> corners;
+    std::array<Vec3, 3> normals; ///< where `smooth`; of any length
+    std::array<Vec2, 3> uv;      ///< 0 without uv
+    bool smooth = false;
+  };
+  /// The faces in the order of the file, but for those without area.
+  std::vector<FileFace> faces_of_file() const;
   /// Does each edge (by its ends' places) belong to an even number of faces? A line then crosses
   /// the mesh an even number of times.
   bool closed() const;
@@ -69,8 +79,9 @@ public:
 private:
   struct Hierarchy {
     std::once_flag once;
-    std::atomic<bool> there = false; ///< as call_once knows, at the price of a load
-    Bvh bvh;                         ///< its items are the faces as they then stand
+    std::atomic<bool> there = false;  ///< as call_once knows, at the price of a load
+    Bvh bvh;                          ///< its items are the faces as they then stand
+    std::vector<std::uint32_t> order; ///< of each of these: its place in the file
   };
   struct Extent {
     Vec3 low, high;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/quadric.hpp"
 
+#include "geometry/bounds.hpp"
+
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
 
@@ -25,7 +27,7 @@ Bounds quadric_bounds(std::array<double, 10> const& k) {
   if (size + rounding < 0) return {}; // nowhere negative
   Vec3 const half = glm::sqrt((size + rounding) / square);
   Vec3 const wide = half + gamma_bound(16) * (half + glm::abs(centre));
-  return {centre - wide, centre + wide, false};
+  return box_of(centre - wide, centre + wide);
 }
 
 } // namespace
@@ -55,6 +57,7 @@ void Quadric::half_spaces(std::vector<HalfSpace>& out) const {
     if (!ends || !(room >= 0)) continue;
     double const middle = -half_linear / k_[i], half = std::sqrt(room) / k_[i];
     double const wide = half + gamma_bound(16) * (half + std::fabs(middle));
+    if (!std::isfinite(middle + wide) || !std::isfinite(wide - middle)) continue;
     Vec3 axis(0);
     axis[static_cast<int>(i)] = 1;
     out.push_back({axis, middle + wide});

@@ -36,7 +36,12 @@ public:
   Vec3 const& location() const { return location_; }
   /// Do all rays start at its location?
   virtual bool has_one_point() const = 0;
-  /// @param directions unit
+  /// Has every point of the picture a ray?
+  virtual bool sees_all() const { return true; }
+  /// So many rays each point of the picture has, whose mean counts; they follow each other.
+  virtual int rays_of_point() const { return 1; }
+  /// @param directions unit; 0 for a point that shows nothing. Origins and directions have room for
+  /// all rays of the points
   virtual void rays(PicturePoints const& points, geometry::VectorArrays const& origins,
                     geometry::VectorArrays const& directions) const = 0;
   virtual Footprint footprint(int width, int height) const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transport/cameras/orthographic.hpp"
 #include "transport/cameras/perspective.hpp"
+#include "transport/cameras/projections.hpp"
 
 #include <algorithm>
 
@@ -19,6 +20,20 @@ std::unique_ptr<Camera const> make_camera(scene::Camera const& camera) {
     return std::make_unique<PerspectiveCamera>(camera);
   case Kind::Orthographic:
     return std::make_unique<OrthographicCamera>(camera);
+  case Kind::Fisheye:
+    return make_fisheye(camera);
+  case Kind::UltraWideAngle:
+    return make_ultra_wide_angle(camera);
+  case Kind::Omnimax:
+    return make_omnimax(camera);
+  case Kind::Panoramic:
+    return make_panoramic(camera);
+  case Kind::Cylinder:
+    return make_cylinder(camera);
+  case Kind::Spherical:
+    return make_spherical(camera);
+  case Kind::Mesh:
+    return make_mesh_camera(camera);
   }
   return nullptr;
 }

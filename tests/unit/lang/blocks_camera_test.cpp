@@ -120,7 +120,41 @@ TEST(Camera, DegenerateOnesAreErrors) {
   EXPECT_EQ(codes("camera { location <1, 2, 3> look_at <1, 2, 3> }"), "E0352");
   EXPECT_EQ(codes("camera { right 0*x }"), "E0352");
   EXPECT_EQ(codes("camera { angle 180 }"), "E0353");
-  EXPECT_EQ(codes("camera { fisheye angle 360 }"), "E0901");
+  EXPECT_EQ(codes("camera { fisheye angle 361 }"), "E0353");
+  EXPECT_EQ(codes("camera { fisheye angle -1 }"), "E0353");
+  EXPECT_EQ(codes("camera { fisheye angle 100, 50 }"), "E0353");
+  EXPECT_EQ(codes("camera { cylinder 5 }"), "E0353");
+  EXPECT_EQ(codes("camera { aperture -1 blur_samples 10 }"), "E0353");
+  EXPECT_EQ(codes("camera { location y aperture 1 blur_samples 10 focal_point y }"), "E0352");
+  EXPECT_EQ(codes("camera { fisheye aperture 1 blur_samples 10 }"), "E0901");
+}
+
+TEST(Camera, CurvedOnesHaveAngles) {
+  auto const angles = [](std::string const& items) {
+    auto const c = scene_of("camera { " + items + " }").camera;
+    return Vec2(c.angle_deg, c.vertical_angle_deg);
+  };
+  EXPECT_EQ(angles("fisheye"), Vec2(90, 45));
+  EXPECT_EQ(angles("spherical"), Vec2(360, 180));
+  EXPECT_EQ(angles("spherical angle 200"), Vec2(200, 100));
+  EXPECT_EQ(angles("spherical angle 200, 30"), Vec2(200, 30));
+  EXPECT_EQ(scene_of("camera { cylinder 3 angle 100 }").camera.cylinder_type, 3);
+}
+
+TEST(Camera, TheDistanceOfFocusIsThatOfItsPoint) {
+  auto const c =
+      scene_of("camera { location -5*z aperture 0.4 blur_samples 3, 20 focal_point 3*y-z "
+               "confidence 0.9 variance 1/200 }")
+          .camera;
+  EXPECT_EQ(c.aperture, 0.4);
+  EXPECT_EQ(c.blur_samples, 20);
+  EXPECT_NEAR(c.focal_distance, 5, 1e-15);
+  EXPECT_EQ(scene_of("camera { aperture 0.4 blur_samples 20 }").camera.focal_distance, 1);
+}
+
+TEST(Camera, WhatHasNoEffectIsTold) {
+  EXPECT_EQ(codes("camera { panoramic angle 100 }"), "E0257");
+  EXPECT_EQ(codes("camera { aperture 0.4 }"), "E0257");
 }
 
 TEST(Camera, TheLastOneIsUsed) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "transport/cameras/camera.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 namespace abbe::transport::testing {
@@ -136,6 +138,85 @@ TEST(Footprint, OfACameraThatSeesAlongAPlaneIsThatOfItsOtherSide) {
   camera.up = {0, 2, 0};
   camera.right = Vec3(0);
   EXPECT_DOUBLE_EQ(pixel_size(camera, 40, 10), 0.2);
+}
+
+/// At right angles, of lengths other than 1.
+scene::Camera upright(Kind kind) {
+  scene::Camera camera;
+  camera.kind = kind;
+  camera.direction = {0, 0, 2};
+  camera.up = {0, 1.5, 0};
+  camera.right = {4.0 / 3, 0, 0};
+  return camera;
+}
+
+/// Of one point of a picture of 1 x 1.
+Vec3 direction_at(scene::Camera const& camera, double a, double b) {
+  return rays_of(camera, {{a + 0.5, 0.5 - b}}, 1, 1).directions.front();
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+TEST(CurvedCameras, LookAheadInTheMiddle) {
+  for (auto const kind : {Kind::Fisheye, Kind::UltraWideAngle, Kind::Omnimax, Kind::Panoramic,
+                          Kind::Cylinder, Kind::Spherical}) {
+    Vec3 const ahead = direction_at(upright(kind), 0, 0);
+    EXPECT_NEAR(ahead.x, 0, 1e-15);
+    EXPECT_NEAR(ahead.y, 0, 1e-15);
+    EXPECT_NEAR(ahead.z, 1, 1e-15);
+  }
+}
+
+TEST(CurvedCameras, AFisheyesAngleGrowsWithTheDistanceFromTheMiddle) {
+  auto camera = upright(Kind::Fisheye);
+  camera.angle_deg = 140;
+  for (double const a : {0.1, 0.2, 0.37}) {
+    Vec3 const d = direction_at(camera, a, 0);
+    EXPECT_NEAR(std::atan2(d.x, d.z), 2 * a * 4 / 3 * 70 * degree, 1e-14);
+  }
+  EXPECT_EQ(direction_at(camera, 0.4, 0), Vec3(0)); // 2 x 0.4 x 4/3 > 1
+}
+
+TEST(CurvedCameras, ASphericalOneShowsLongitudeAndLatitude) {
+  auto camera = upright(Kind::Spherical);
+  camera.angle_deg = 200;
+  camera.vertical_angle_deg = 100;
+  Vec3 const d = direction_at(camera, 0.3, -0.2);
+  EXPECT_NEAR(std::atan2(d.x, d.z), 60 * degree, 1e-14);
+  EXPECT_NEAR(std::asin(d.y), -20 * degree, 1e-14);
+}
+
+TEST(CurvedCameras, APanoramaIsHalfATurnWide) {
+  auto camera = upright(Kind::Panoramic);
+  camera.direction = {0, 0, 1};
+  camera.up = {0, 1, 0};
+  camera.right = {1, 0, 0};
+  Vec3 const d = direction_at(camera, 0.25, 0.1);
+  EXPECT_NEAR(std::atan2(d.x, d.z), 45 * degree, 1e-14);
+  EXPECT_NEAR(std::atan2(d.y, std::hypot(d.x, d.z)), 18 * degree, 1e-14);
+}
+
+TEST(CurvedCameras, CylindersTurnAboutOneAxis) {
+  auto camera = upright(Kind::Cylinder);
+  camera.angle_deg = 100;
+  camera.cylinder_type = 1;
+  Vec3 const d = direction_at(camera, 0.25, 0.2);
+  EXPECT_NEAR(std::atan2(d.x, d.z), 25 * degree, 1e-14);
+  EXPECT_NEAR(d.y / std::hypot(d.x, d.z), 0.3, 1e-14);
+  camera.cylinder_type = 4;
+  EXPECT_FALSE(make_camera(camera)->has_one_point());
+  auto const rays = rays_of(camera, {{0.75, 0.3}}, 1, 1);
+  EXPECT_NEAR(rays.origins.front().x, 0.25 * 4 / 3, 1e-15);
+  EXPECT_NEAR(std::atan2(rays.directions.front().y, rays.directions.front().z), 20 * degree, 1e-14);
+}
+
+TEST(CurvedCameras, AnOmnimaxLensIsCutOffBelow) {
+  auto const camera = upright(Kind::Omnimax);
+  EXPECT_GT(direction_at(camera, 0, 0.4).y, 0.5);
+  EXPECT_EQ(direction_at(camera, 0, -0.4), Vec3(0));
+  double const r = 0.6, theta = 1.411269 * r - 0.09439 * r * r * r + 0.25674 * std::pow(r, 5);
+  Vec3 const d = direction_at(camera, 0.3, 0);
+  EXPECT_NEAR(std::atan2(d.x, d.z), theta, 1e-14);
 }
 
 } // namespace
