@@ -88,10 +88,10 @@ class Folders:
             kept = json.loads((keep / KEPT).read_text(encoding='utf-8'))
             if kept.get('key') == self.key:
                 self.results = {result['scene']: result for result in kept['results']}
-        programs = keep / '.programs'
-        programs.mkdir(exist_ok=True)
-        (programs / 'none.ini').write_text('', encoding='utf-8')
-        self.environment = {**os.environ, 'POVINI': str(programs / 'none.ini')}
+        # POV-Ray needs its ini file to find its includes; what that says of size and kind the words say again.
+        (keep / 'none.ini').write_text('', encoding='utf-8')
+        self.environments = {'povray': {name: value for name, value in os.environ.items() if name != 'POVINI'},
+                             'abbe': {**os.environ, 'POVINI': str(keep / 'none.ini')}}
 
     def words(self, root: pathlib.Path, scene: pathlib.Path, picture: pathlib.Path) -> list:
         size = [f'+W{self.options.width}', f'+H{self.options.height}']
@@ -113,7 +113,7 @@ class Folders:
                 picture = pathlib.Path(temporary, 'picture')
                 start = ['povray'] if program == 'povray' else [self.options.abbe, 'povray']
                 words = self.words(root, scene, picture)
-                run = Run([*start, *words], folder, self.options.limit, self.environment)
+                run = Run([*start, *words], folder, self.options.limit, self.environments[program])
                 made = sorted(pathlib.Path(temporary).glob('picture*.png'))
                 result[program] = {'cpu_s': round(run.cpu_s, 3), 'mib': round(run.mib, 1)}
                 if run.status == 0 and made:

@@ -181,7 +181,7 @@ TEST(Object, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("object { translate x }"), "E0203");
   EXPECT_EQ(codes("object { }"), "E0250");
   EXPECT_EQ(codes("object { Undeclared }"), "E0202");
-  EXPECT_EQ(codes("#declare B = ovus { 1, 1 } object { B translate x }"), "E0901");
+  EXPECT_EQ(codes("#declare B = parametric { 1 } object { B translate x }"), "E0901");
   EXPECT_EQ(codes("union { shpere { 0, 1 } box { 0, 1 } }"), "E0202");
   EXPECT_EQ(codes("union { }"), "E0250");
   EXPECT_EQ(codes("sphere { 0, 1 scale <1, 0, 1> }"), "E0350");
@@ -189,8 +189,8 @@ TEST(Object, MistakesAreNamedOnce) {
   // A column of zeros is mended, as a scale of 0.
   EXPECT_EQ(codes("sphere { 0, 1 matrix <1, 0, 0, 2, 0, 0, 0, 0, 1, 5, 6, 7> }"), "E0350");
   EXPECT_EQ(codes("pigment { rgb 1 }"), "E0255");
-  EXPECT_EQ(codes("ovus { 1, Radius }"), "E0901");
-  EXPECT_EQ(codes("union { ovus { 1, 1 } translate x }"), "E0901");
+  EXPECT_EQ(codes("parametric { Radius }"), "E0901");
+  EXPECT_EQ(codes("union { parametric { 1 } translate x }"), "E0901");
   EXPECT_EQ(codes("object { parametric { function { x*x + f_rounded(y) } } translate x }"),
             "E0901");
 }
