@@ -34,6 +34,9 @@ double transparency(scene::Scene const& scene) {
 } // namespace
 
 void lower_quality(scene::Scene& scene, int quality) {
+  if (quality >= 9) return;
+  scene.fogs.clear();
+  scene.rainbows.clear();
   if (quality >= 8) return;
   MaterialChange change;
   change.layer = [quality](scene::Texture& layer, bool bottom) {

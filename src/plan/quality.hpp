@@ -6,12 +6,13 @@
 namespace abbe::plan {
 
 /// What POV-Ray's option +Q leaves out of a finished scene:
+/// - below 9: fog and rainbows
 /// - below 8: reflection, normals
 /// - below 6: patterns of pigments with a `quick_color`, and what is behind transparent surfaces,
 ///   which then cast whole shadows
 /// - below 4: shadows
 /// - below 2: lamps; surfaces have the colour of their pigment
-/// @param quality 0 to 11; 8 and above: nothing
+/// @param quality 0 to 11; 9 and above: nothing
 void lower_quality(scene::Scene& scene, int quality);
 
 /// The scene whose picture is the share of the background that each point of it shows: all that is

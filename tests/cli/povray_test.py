@@ -289,6 +289,12 @@ class PovrayTest(CliTest):
         self.assertTrue(all(code[0] == code[2] == 0 < code[1] < 255 for code in middle[2:6]), middle)
         self.assertTrue(all(code[0] == code[1] == code[2] for code in middle[6:]), middle)
         self.assertEqual(pictures[8], pictures[9])
+        self.write('f.pov', SCENE + 'fog { distance 2 rgb <0, 0, 1> }')
+        self.povray('f.pov', '+W24', '+H18', '+Q8', '+Oclear')
+        self.povray('f.pov', '+W24', '+H18', '+Q9', '+Ofog')
+        self.povray('a.pov', '+W24', '+H18', '+Q9', '+Owithout')
+        self.assertEqual(png(self.folder / 'clear.png')[4], png(self.folder / 'without.png')[4])
+        self.assertNotEqual(png(self.folder / 'fog.png')[4], png(self.folder / 'clear.png')[4])
         self.assertEqual(pictures[6], pictures[7])
         self.assertEqual(pictures[4], pictures[5])
 

@@ -2,7 +2,7 @@
 """Whole folders of POV-Ray scenes by abbe and by povray, with the same command line: figures, a table and a page.
 
 Both programs get POV-Ray's options (`abbe povray` reads them), one thread, no anti-aliasing and quality 8: without media,
-radiosity, photons and subsurface light, which abbe leaves out. A scene that asks for `frame_number` is the first frame of
+radiosity, photons and subsurface light, which abbe leaves out, and without fog, which tests/povray/scenes compares. A scene that asks for `frame_number` is the first frame of
 one. Programs are ended after a time, and may crash: the others go on, and a second call with the same folder of results
 goes on where the first stopped.
 """

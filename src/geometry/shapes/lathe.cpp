@@ -340,30 +340,10 @@ bool Lathe::inside(Vec3 const& point) const {
 }
 
 double Lathe::nearest(Piece const& piece, Vec3 const& point) const {
-  double const y = point.y;
-  double best = infinity, at = 0;
-  for (double const distance : {simd::hypot(point.x, point.z), -simd::hypot(point.x, point.z)}) {
-    auto const take = [&](double u) {
-      double const a = piece.at(0, u) - distance, b = piece.at(1, u) - y, miss = a * a + b * b;
-      if (!(miss < best)) return;
-      best = miss;
-      at = u;
-    };
-    take(0);
-    take(1);
-    PolynomialRoots roots;
-    piece.with_degree([&](auto degree) {
-      unit_roots_of(
-          [&]<class N>(N) {
-            auto const r = piece.terms<N, degree()>(0), h = piece.terms<N, degree()>(1);
-            return sum_of(product(sum_of(r, constant(N(-distance))), derivative_of(r)),
-                          product(sum_of(h, constant(N(-y))), derivative_of(h)));
-          },
-          roots);
-    });
-    for (PolynomialRoot const& root : roots) take(root.at);
-  }
-  return at;
+  double const distance = simd::hypot(point.x, point.z);
+  auto const right = nearest_of(piece, distance, point.y);
+  auto const left = nearest_of(piece, -distance, point.y);
+  return left.miss < right.miss ? left.at : right.at;
 }
 
 Vec3 Lathe::normal(Vec3 const& point, std::uint32_t face) const {

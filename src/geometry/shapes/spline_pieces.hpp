@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -147,6 +148,37 @@ std::vector<CurvePiece<D>> spline_pieces(SplineKind kind,
     break;
   }
   return pieces;
+}
+
+/// A point of a piece in a plane.
+struct NearestPoint {
+  double at = 0;                                         ///< on the piece, 0 to 1
+  double miss = std::numeric_limits<double>::infinity(); ///< its distance, squared
+};
+/// The point that is nearest to (x, y), of the piece's first two coordinates: an end, or where the
+/// piece is at right angles to the way there.
+template <class Piece>
+NearestPoint nearest_of(Piece const& piece, double x, double y) {
+  NearestPoint best;
+  auto const take = [&](double u) {
+    double const a = piece.at(0, u) - x, b = piece.at(1, u) - y, miss = a * a + b * b;
+    if (miss < best.miss) best = {u, miss};
+  };
+  take(0);
+  take(1);
+  PolynomialRoots roots;
+  piece.with_degree([&](auto degree) {
+    unit_roots_of(
+        [&]<class N>(N) {
+          auto const px = piece.template terms<N, degree()>(0);
+          auto const py = piece.template terms<N, degree()>(1);
+          return sum_of(product(sum_of(px, constant(N(-x))), derivative_of(px)),
+                        product(sum_of(py, constant(N(-y))), derivative_of(py)));
+        },
+        roots);
+  });
+  for (PolynomialRoot const& root : roots) take(root.at);
+  return best;
 }
 
 } // namespace abbe::geometry

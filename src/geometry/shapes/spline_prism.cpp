@@ -437,27 +437,7 @@ bool SplinePrism::inside(Vec3 const& point) const {
 }
 
 double SplinePrism::nearest(Piece const& piece, double x, double z) const {
-  double best = infinity, at = 0;
-  auto const take = [&](double u) {
-    double const a = piece.at(0, u) - x, b = piece.at(1, u) - z, miss = a * a + b * b;
-    if (!(miss < best)) return;
-    best = miss;
-    at = u;
-  };
-  take(0);
-  take(1);
-  PolynomialRoots roots;
-  piece.with_degree([&](auto degree) {
-    unit_roots_of(
-        [&]<class N>(N) {
-          auto const px = piece.terms<N, degree()>(0), pz = piece.terms<N, degree()>(1);
-          return sum_of(product(sum_of(px, constant(N(-x))), derivative_of(px)),
-                        product(sum_of(pz, constant(N(-z))), derivative_of(pz)));
-        },
-        roots);
-  });
-  for (PolynomialRoot const& root : roots) take(root.at);
-  return at;
+  return nearest_of(piece, x, z).at;
 }
 
 Vec3 SplinePrism::normal(Vec3 const& point, std::uint32_t face) const {
