@@ -39,7 +39,7 @@ public:
   double advance(std::uint32_t glyph) const;
   /// How far to the right of its place a glyph begins; 0 when damaged.
   double left_bearing(std::uint32_t glyph) const;
-  /// What the table `kern` moves the second of two neighbours by.
+  /// The distance by which the table `kern` moves the second of two neighbours.
   double kerning(std::uint32_t left, std::uint32_t right) const;
 
 private:

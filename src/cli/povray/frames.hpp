@@ -17,9 +17,9 @@ Result<std::vector<lang::AnimationFrame>> frames_of(PovraySettings const& settin
 /// Are the pictures numbered?
 bool is_series(PovraySettings const& settings);
 
-/// Where a picture goes: the output's name or folder, or the input's name in the working directory;
-/// with the number of the frame in as many digits as the last one has, and the extension of the
-/// kind of file, which is added where the name does not end in it.
+/// The path of a picture: the output's name or folder, or the input's name in the working
+/// directory; with the number of the frame in as many digits as the last one has, and the extension
+/// of the kind of file, which is added where the name does not end in it.
 std::filesystem::path picture_path(PovraySettings const& settings,
                                    lang::AnimationFrame const& frame);
 

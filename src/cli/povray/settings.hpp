@@ -10,7 +10,7 @@
 
 namespace abbe::cli {
 
-/// What POV-Ray's options ask for; the values here are POV-Ray's defaults.
+/// The wishes that POV-Ray's options tell; the values here are POV-Ray's defaults.
 struct PovraySettings {
   std::string input;
   std::string output;  ///< empty: the input's name in the working directory; "-": standard output
@@ -49,7 +49,6 @@ struct PovrayKey {
   std::string_view name;
   /// @return what is wrong with the text, empty: nothing
   std::function<std::string(PovraySettings&, std::string const& text)> set;
-  bool is_switch = false; ///< on or off
 };
 
 /// All of them, ordered by name.

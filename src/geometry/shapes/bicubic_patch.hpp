@@ -30,7 +30,7 @@ struct BicubicPatch {
   Net points;
   int u_steps = 0, v_steps = 0; ///< halvings of the rows' number, and along the rows
   double flatness = 0;
-  /// Of the corners [0][0], [0][3], [3][3], [3][0].
+  /// These belong to the corners [0][0], [0][3], [3][3], [3][0].
   std::array<Vec2, 4> uv{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
 };
 

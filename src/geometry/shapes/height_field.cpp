@@ -417,9 +417,9 @@ Vec3 HeightField::geometric_normal(Vec3 const&, std::uint32_t face) const {
   return unit_vector(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
 }
 
-/// As POV-Ray has it: the mean of the directions of the four triangles that a point forms with its
-/// neighbours along x and z, in units of cells and of 1/65536 of the height, kept in 16 bits; then
-/// in canonical form, of unit length where the field is placed.
+/// A corner's normal is, as POV-Ray has it, the mean of the directions of the four triangles that a
+/// point forms with its neighbours along x and z, in units of cells and of 1/65536 of the height,
+/// kept in 16 bits; then in canonical form, of unit length where the field is placed.
 Vec3 HeightField::vertex_normal(int i, int j) const {
   int const here = grid_->at(i, j);
   Vec3 sum(0);
