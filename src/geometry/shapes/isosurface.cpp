@@ -91,8 +91,8 @@ bool Isosurface::contained(Ray const& ray, Crossing& in, Crossing& out) const {
   return in.t < out.t;
 }
 
-/// Crossings with from <= t <= until.
-void Isosurface::between(Ray const& ray, double from, double until, bool first_only,
+/// Crossings with from <= t <= until, up to the first that is beyond `enough`.
+void Isosurface::between(Ray const& ray, double from, double until, double enough,
                          Crossings& out) const {
   Crossing enter, leave;
   if (!contained(ray, enter, leave)) return;
@@ -107,7 +107,7 @@ void Isosurface::between(Ray const& ray, double from, double until, bool first_o
                         ray.direction * unit,
                         threshold_,
                         accuracy_ / (length * unit),
-                        first_only ? -near.t / unit : infinity};
+                        (enough - near.t) / unit};
   double const low = (begin - near.t) / unit, high = (end - near.t) / unit;
   if (begin == enter.t && along.side(low) < 0) out.push_back(enter);
   std::vector<FieldRoot> roots;
@@ -129,21 +129,28 @@ void Isosurface::between(Ray const& ray, double from, double until, bool first_o
     c.entering = !root.rising;
     out.push_back(c);
   }
-  bool const stopped =
-      first_only && !roots.empty() && roots.back().at - roots.back().error > along.enough;
+  bool const stopped = !roots.empty() && roots.back().at - roots.back().error > along.enough;
   if (!stopped && end == leave.t && along.side(high) < 0) out.push_back(leave);
 }
 
 void Isosurface::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   std::size_t const first = out.size();
-  between(ray, -infinity, infinity, false, out);
+  between(ray, -infinity, infinity, infinity, out);
   if (start != nullptr) impose_start(*start, false, first, out);
 }
 
 void Isosurface::crossings_ahead(Ray const& ray, Start const* start, double until,
                                  Crossings& out) const {
-  if (start != nullptr) return crossings(ray, start, out);
-  between(ray, 0, until, true, out);
+  if (start == nullptr) return between(ray, 0, until, 0, out);
+  // The known root is as near as the origin is known, unless the ray grazes: then all are looked
+  // at.
+  Vec3 const blur = ray.origin_error + ray.origin_rounding + 0x1p-50 * glm::abs(ray.origin);
+  double const near = 16 * vector_length(blur) / vector_length(ray.direction);
+  std::size_t const first = out.size();
+  between(ray, -near, until, near, out);
+  if (has_start(*start, near, first, out)) return impose_start(*start, false, first, out);
+  out.resize(first);
+  crossings(ray, start, out);
 }
 
 bool Isosurface::inside(Vec3 const& point) const {

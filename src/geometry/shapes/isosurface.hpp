@@ -46,7 +46,7 @@ public:
 
 private:
   bool contained(Ray const& ray, Crossing& in, Crossing& out) const;
-  void between(Ray const& ray, double from, double until, bool first_only, Crossings& out) const;
+  void between(Ray const& ray, double from, double until, double enough, Crossings& out) const;
 
   std::shared_ptr<ScalarField const> field_;
   Container container_;

@@ -71,7 +71,7 @@ std::optional<PlacedShape> make_julia_fractal(JuliaRule const& rule, double prec
   Isosurface::Container ball;
   ball.ball = true;
   // The field is at its level all over the ball of the bailout when there is one number only.
-  ball.radius = rule.bailout() * (1 + 1e-6);
+  ball.radius = rule.reach() * (1 + 1e-6);
   ball.low = Vec3(-ball.radius);
   ball.high = Vec3(ball.radius);
   if (!usable_size(ball.radius) || !usable_size(ball.radius * ball.radius)) return std::nullopt;

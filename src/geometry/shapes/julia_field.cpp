@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/julia_field.hpp"
 
+#include "geometry/shapes/julia_lanes.hpp"
 #include "simd/math.hpp"
 
 #include <algorithm>
@@ -33,6 +34,10 @@ Vec4 product(Vec4 const& a, Vec4 const& b) {
 Vec4 square(Vec4 const& a) {
   double const twice = 2 * a.x;
   return {a.x * a.x - a.y * a.y - a.z * a.z - a.w * a.w, twice * a.y, twice * a.z, twice * a.w};
+}
+Vec4 cube(Vec4 const& a) {
+  double const vv = a.y * a.y + a.z * a.z + a.w * a.w, aa = a.x * a.x, along = 3 * aa - vv;
+  return {a.x * (aa - 3 * vv), along * a.y, along * a.z, along * a.w};
 }
 Complex times(Complex const& a, Complex const& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
@@ -226,8 +231,31 @@ double JuliaRule::bailout() const {
   return quaternion ? 1 + size_of(c) : 4;
 }
 
+double JuliaRule::reach() const {
+  double const most = bailout();
+  if (function != Function::Sqr && function != Function::Cube) return most;
+  // Of two complex numbers that join to one of size s, each is of size s sqrt(2) at most.
+  double const added[2] = {quaternion ? size_of(c) : std::hypot(c.x - c.w, c.y + c.z),
+                           quaternion ? 0 : std::hypot(c.x + c.w, c.y - c.z)};
+  double own[2] = {most, most};
+  for (int k = 0; k < 2; ++k) {
+    double& size = own[k];
+    if (!quaternion) size *= 1.4142135623730951;
+    for (int round = 1; round < rounds; ++round)
+      size = function == Function::Sqr ? std::sqrt(size + added[k]) : std::cbrt(size + added[k]);
+  }
+  double const joined = std::sqrt((own[0] * own[0] + own[1] * own[1]) / 2);
+  return std::min(most, (quaternion ? own[0] : joined) * (1 + 1e-9));
+}
+
 JuliaField::JuliaField(JuliaRule const& rule) : rule_(rule) {
   limit_ = rule.bailout() * rule.bailout();
+  // Of quaternions, because the bailout is 1 + |c|. Of a pair one is larger than 4, and of its
+  // square c takes no more than 4: what is left is larger than 8.
+  returns_ =
+      !rule.quaternion
+      && (rule.function != Function::Sqr || std::hypot(rule.c.x - rule.c.w, rule.c.y + rule.c.z) > 4
+          || std::hypot(rule.c.x + rule.c.w, rule.c.y - rule.c.z) > 4);
 }
 
 Vec4 JuliaField::lifted(Vec3 const& p) const {
@@ -236,8 +264,26 @@ Vec4 JuliaField::lifted(Vec3 const& p) const {
 }
 
 bool JuliaField::smooth() const {
-  return rule_.rounds <= 12
-         && (rule_.function == Function::Sqr || rule_.function == Function::Cube);
+  return rule_.rounds <= 12 && polynomial();
+}
+
+void JuliaField::along_each(Vec3 const& origin, Vec3 const& direction, LinePieces& pieces) const {
+  if (!polynomial()) return ScalarField::along_each(origin, direction, pieces);
+  Vec4 const& n = rule_.slice;
+  double const slant = glm::dot(Vec3(n), direction) / n.w;
+  JuliaLine const line{lifted(origin),
+                       Vec4(direction, -slant),
+                       rule_.c,
+                       rule_.rounds,
+                       limit_,
+                       grain / std::fabs(n.w),
+                       glm::dot(glm::abs(origin), Vec3(1)) + std::fabs(rule_.slice_distance),
+                       glm::dot(glm::abs(direction), Vec3(1))};
+  auto const kind = returns_                           ? JuliaLine::Kind::ReturningPairs
+                    : !rule_.quaternion                ? JuliaLine::Kind::Pairs
+                    : rule_.function == Function::Cube ? JuliaLine::Kind::Cubes
+                                                       : JuliaLine::Kind::Squares;
+  julia_along_each(kind, line, pieces);
 }
 
 ScalarField::Along JuliaField::quaternions(Vec4 h, double r, Vec4 d) const {
@@ -294,11 +340,13 @@ ScalarField::Along JuliaField::complex_pairs(Vec4 const& h, double radius, Vec4 
     if (!(value.low <= value.high)) return {Interval::everything(), Interval::everything()};
     if (value.low > 0) return outside;
     // The largest of all: the slope is that of any that may be it.
-    if (value.high >= out.value.low) {
-      bool const alone = value.low > out.value.high;
-      out.slope = alone ? rate : hull(out.slope, rate);
+    if (returns_ || round == rule_.rounds) {
+      if (value.high >= out.value.low) {
+        bool const alone = value.low > out.value.high;
+        out.slope = alone ? rate : hull(out.slope, rate);
+      }
+      out.value = {std::max(out.value.low, value.low), std::max(out.value.high, value.high)};
     }
-    out.value = {std::max(out.value.low, value.low), std::max(out.value.high, value.high)};
     if (round == rule_.rounds) return out;
     for (int k = 0; k < 2; ++k) {
       Local const f = local(rule_, z[k], r[k]);
@@ -334,12 +382,14 @@ double JuliaField::value(Vec3 const& point) const {
     for (int round = 1;; ++round) {
       double const above = h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w - limit_;
       if (round == rule_.rounds || above > 0) return above;
-      Vec4 const hh = square(h);
-      h = (rule_.function == Function::Cube ? product(hh, h) : hh) + rule_.c;
+      h = (rule_.function == Function::Cube ? cube(h) : square(h)) + rule_.c;
     }
   }
   auto const pair = [](Vec4 const& v, int k) {
     return k == 0 ? Complex(v.x - v.w, v.y + v.z) : Complex(v.x + v.w, v.y - v.z);
+  };
+  auto const next = [&](Complex const& a) {
+    return rule_.function == Function::Sqr ? times(a, a) : local(rule_, a, 0).value;
   };
   Complex z[2] = {pair(h, 0), pair(h, 1)};
   double most = -infinite;
@@ -347,13 +397,60 @@ double JuliaField::value(Vec3 const& point) const {
     double square = 0;
     for (Complex const& a : z) square += (a.real() * a.real() + a.imag() * a.imag()) / 2;
     if (!(square - limit_ <= 0)) return std::isfinite(square) ? square - limit_ : limit_;
-    most = std::max(most, square - limit_);
+    most = returns_ ? std::max(most, square - limit_) : square - limit_;
     if (round == rule_.rounds) return most;
-    for (int k = 0; k < 2; ++k) z[k] = local(rule_, z[k], 0).value + pair(rule_.c, k);
+    for (int k = 0; k < 2; ++k) z[k] = next(z[k]) + pair(rule_.c, k);
   }
 }
 
+Vec3 JuliaField::quaternion_gradient(Vec3 const& point) const {
+  Vec4 h = lifted(point);
+  Vec3 const slant = Vec3(rule_.slice) / -rule_.slice.w;
+  Vec4 rate[3] = {{1, 0, 0, slant.x}, {0, 1, 0, slant.y}, {0, 0, 1, slant.z}};
+  bool const cube = rule_.function == Function::Cube;
+  for (int round = 1; round < rule_.rounds; ++round) {
+    double const vv = h.y * h.y + h.z * h.z + h.w * h.w, aa = h.x * h.x;
+    double const along = cube ? 3 * aa - vv : 2 * h.x;
+    for (Vec4& d : rate) {
+      // Of a + v: (a^2 - v^2) + 2 a v, or (a^3 - 3 a v^2) + (3 a^2 - v^2) v.
+      double const inner = h.y * d.y + h.z * d.z + h.w * d.w;
+      double const turn = cube ? 6 * h.x * d.x - 2 * inner : 2 * d.x;
+      double const real = cube ? 3 * (aa - vv) * d.x - 6 * h.x * inner : 2 * (h.x * d.x - inner);
+      d = {real, turn * h.y + along * d.y, turn * h.z + along * d.z, turn * h.w + along * d.w};
+    }
+    h = Vec4(cube ? h.x * (aa - 3 * vv) : aa - vv, along * h.y, along * h.z, along * h.w) + rule_.c;
+  }
+  auto const of = [&](Vec4 const& d) {
+    double const out = 2 * (h.x * d.x + h.y * d.y + h.z * d.z + h.w * d.w);
+    return std::isfinite(out) ? out : 0;
+  };
+  return {of(rate[0]), of(rate[1]), of(rate[2])};
+}
+
+/// Of squares of which the last counts.
+Vec3 JuliaField::pair_gradient(Vec3 const& point) const {
+  Vec4 const h = lifted(point), c = rule_.c;
+  Vec3 const slant = Vec3(rule_.slice) / -rule_.slice.w;
+  Vec3 out(0);
+  for (double const sign : {-1.0, 1.0}) {
+    auto const half = [&](Vec4 const& v) { return Complex(v.x + sign * v.w, v.y - sign * v.z); };
+    Complex z = half(h), rate[3] = {half({1, 0, 0, slant.x}), half({0, 1, 0, slant.y}),
+                                    half({0, 0, 1, slant.z})};
+    for (int round = 1; round < rule_.rounds; ++round) {
+      for (Complex& d : rate) d = times(z, d) * 2.0;
+      z = times(z, z) + half(c);
+    }
+    for (int i = 0; i < 3; ++i) {
+      double const own = z.real() * rate[i].real() + z.imag() * rate[i].imag();
+      if (std::isfinite(own)) out[i] += own;
+    }
+  }
+  return out;
+}
+
 Vec3 JuliaField::gradient(Vec3 const& point) const {
+  if (rule_.quaternion) return quaternion_gradient(point);
+  if (!returns_) return pair_gradient(point);
   Vec3 out(0);
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 direction(0);

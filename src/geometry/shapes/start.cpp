@@ -8,6 +8,19 @@
 
 namespace abbe::geometry {
 
+namespace {
+
+bool may_be(Start const& start, Crossing const& c) {
+  return c.entering == start.to_inside && std::fabs(c.t) <= 2 * (c.error + c.slack);
+}
+
+} // namespace
+
+bool has_start(Start const& start, double near, std::size_t first, Crossings const& out) {
+  return std::any_of(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+                     [&](Crossing const& c) { return std::fabs(c.t) < near && may_be(start, c); });
+}
+
 void impose_start(Start const& start, bool flat_faces, std::size_t first, Crossings& out) {
   std::size_t known = out.size();
   bool by_face = false;

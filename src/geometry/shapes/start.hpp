@@ -17,4 +17,8 @@ namespace abbe::geometry {
 /// @param flat_faces a face is crossed at most once: then the face tells the root
 void impose_start(Start const& start, bool flat_faces, std::size_t first, Crossings& out);
 
+/// Is there a crossing that impose_start() would take for the known root, and which is nearer than
+/// `near`? Then nothing that lies further away is taken for it.
+bool has_start(Start const& start, double near, std::size_t first, Crossings const& out);
+
 } // namespace abbe::geometry

@@ -149,6 +149,29 @@ public:
   Vec3 gradient(Vec3 const&) const override { return Vec3(1); }
 };
 
+/// A field whose enclosures say nothing, with as many changes of side as there are.
+class Unknown final : public ScalarField {
+public:
+  double value(Vec3 const& p) const override { return std::sin(1e9 * p.x); }
+  Along along(Vec3 const& o, Vec3 const& d, Interval const& part) const override {
+    ++asked;
+    if (part.width() > 0) return {{-1, 1}, Interval::everything()};
+    double const here = value(o + part.low * d);
+    return {widened(here, here), Interval::everything()};
+  }
+  bool smooth() const override { return true; }
+  Vec3 gradient(Vec3 const&) const override { return {1, 0, 0}; }
+  mutable std::size_t asked = 0;
+};
+
+TEST(FieldRoots, EndWhereEnclosuresSayNothing) {
+  Unknown const field;
+  FieldLine const line{field, Vec3(0), Vec3(1, 0, 0), .25, 1e-12, INFINITY};
+  std::vector<FieldRoot> roots;
+  field_roots(line, -1, 1.1, roots);
+  EXPECT_LE(field.asked, 64 * field_pieces);
+}
+
 /// A lamp in the plane of a face: sides along its light differ from one double to the next, and a
 /// search for all of their changes would not end.
 TEST(FieldRoots, AlongAFlatFaceAreFew) {

@@ -67,14 +67,16 @@ Complex reference(JuliaRule const& r, Complex z) {
   return 0;
 }
 
-/// The largest square of a size among the numbers, less the bailout's; of hypercomplex ones.
+/// The largest square of a size among hypercomplex numbers, less the bailout's. Of squares it is
+/// the last: from beyond the bailout none comes back.
 double reference_value(JuliaRule const& r, Vec3 const& p) {
   Vec4 const& n = r.slice;
   double const w = (r.slice_distance - n.x * p.x - n.y * p.y - n.z * p.z) / n.w;
   Complex a(p.x - w, p.y + p.z), b(p.x + w, p.y - p.z);
   double most = -1e9;
   for (int round = 1;; ++round) {
-    most = std::max(most, (std::norm(a) + std::norm(b)) / 2 - 16);
+    double const own = (std::norm(a) + std::norm(b)) / 2 - 16;
+    most = r.function == Function::Sqr ? own : std::max(most, own);
     if (round == r.rounds || most > 0) return most;
     a = reference(r, a) + Complex(r.c.x - r.c.w, r.c.y + r.c.z);
     b = reference(r, b) + Complex(r.c.x + r.c.w, r.c.y - r.c.z);
@@ -156,6 +158,113 @@ TEST(Julia, EnclosuresHoldValuesAndSlopes) {
     check(rule(false, static_cast<Function>(f), 3), "hypercomplex ", f);
   check(rule(true, Function::Sqr, 5), "quaternion ", 0);
   check(rule(true, Function::Cube, 4), "quaternion ", 1);
+}
+
+/// Each of the kernels against what is said of one piece, and against the field itself.
+TEST(Julia, PiecesSideBySideHoldWhatOneByOneDo) {
+  Dice dice(15);
+  auto const check = [&](JuliaRule const& r, char const* what) {
+    JuliaField const field(r);
+    ASSERT_EQ(field.side_by_side(), LinePieces::most);
+    int useful = 0;
+    for (int i = 0; i < 300; ++i) {
+      Vec3 const origin = dice.in_cube(1.2), direction = dice.direction();
+      double const width = std::pow(2.0, -dice.number(2, 18));
+      LinePieces pieces;
+      pieces.count = 1 + i % LinePieces::most;
+      for (int k = 0; k < LinePieces::most; ++k) {
+        pieces.low[k] = width * std::min(k, pieces.count - 1);
+        pieces.high[k] = pieces.low[k] + width;
+      }
+      field.along_each(origin, direction, pieces);
+      for (int k = 0; k < pieces.count; ++k) {
+        Interval const part(pieces.low[k], pieces.high[k]);
+        auto const one = field.along(origin, direction, part);
+        Interval const value(pieces.value_low[k], pieces.value_high[k]),
+            middle(pieces.middle_low[k], pieces.middle_high[k]);
+        double const here = field.value(origin + part.middle() * direction);
+        if (value.low > 0) {
+          EXPECT_GT(here, 0) << what;
+          continue;
+        }
+        EXPECT_TRUE(middle.holds(here) || (middle.high > 0 && here > 0)) << what << here;
+        for (int j = 0; j <= 8; ++j) {
+          double const there = field.value(origin + (part.low + width * j / 8) * direction);
+          EXPECT_TRUE(value.holds(there) || (value.high > 0 && there > 0)) << what << there;
+        }
+        if (here >= 0 || !std::isfinite(one.slope.size())) continue;
+        double const step = 1e-7, t = part.middle();
+        double const slope = (field.value(origin + (t + step) * direction)
+                              - field.value(origin + (t - step) * direction))
+                             / (2 * step);
+        double const room = 1e-4 * (1 + std::fabs(slope));
+        EXPECT_LE(pieces.slope_low[k] - room, slope) << what;
+        EXPECT_GE(pieces.slope_high[k] + room, slope) << what;
+        EXPECT_LE(value.width(), 1.001 * one.value.width() + 1e-9) << what;
+        useful += pieces.slope_low[k] > 0 || pieces.slope_high[k] < 0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(useful, 50) << what;
+  };
+  check(rule(true, Function::Sqr, 6), "squares ");
+  check(rule(true, Function::Cube, 5), "cubes ");
+  check(rule(false, Function::Sqr, 6), "pairs ");
+  JuliaRule far = rule(false, Function::Sqr, 2);
+  far.c = {-4.3, .3, .1, 0};
+  check(far, "returning pairs ");
+}
+
+TEST(Julia, GradientsAreThoseOfTheField) {
+  Dice dice(16);
+  for (JuliaRule const& r : {rule(true, Function::Sqr, 5), rule(true, Function::Cube, 4),
+                             rule(false, Function::Sqr, 5), rule(false, Function::Exp, 3)}) {
+    JuliaField const field(r);
+    for (int i = 0; i < 100; ++i) {
+      Vec3 const p = dice.in_cube(.6), gradient = field.gradient(p);
+      if (field.value(p) > 0) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3 step(0);
+        step[axis] = 1e-6;
+        double const wanted = (field.value(p + step) - field.value(p - step)) / 2e-6;
+        EXPECT_NEAR(gradient[axis], wanted, 1e-4 * (1 + std::fabs(wanted)));
+      }
+    }
+  }
+}
+
+/// A ray that starts on the surface finds what it would find if all of its line were looked at.
+TEST(Julia, WhatLiesAheadOfAStartIsWhatTheWholeLineHolds) {
+  Dice dice(17);
+  auto const shape = *make_julia_fractal(rule(true, Function::Sqr, 6), 100);
+  auto const first_ahead = [](Crossings& of) {
+    std::sort(of.begin(), of.end(), [](auto const& a, auto const& b) { return a.t < b.t; });
+    for (Crossing const& c : of)
+      if (c.t > 0) return c;
+    return Crossing{};
+  };
+  int found = 0, starts = 0;
+  for (int i = 0; i < 400; ++i) {
+    Vec3 const direction = dice.direction();
+    Ray ray = ray_from(dice.in_cube(.8) - 5.0 * direction, direction);
+    Crossings out;
+    shape.shape->crossings_ahead(ray, nullptr, 1e9, out);
+    if (out.empty()) continue;
+    ++starts;
+    ray.origin = ray.origin + out[0].t * direction;
+    ray.origin_error = Vec3(1e-15);
+    Vec3 const normal = shape.shape->normal(ray.origin, out[0].face);
+    ray.direction = dice.direction();
+    Start const start{out[0].face, glm::dot(normal, ray.direction) < 0};
+    Crossings all, ahead;
+    shape.shape->crossings(ray, &start, all);
+    shape.shape->crossings_ahead(ray, &start, 1e9, ahead);
+    Crossing const wanted = first_ahead(all), own = first_ahead(ahead);
+    EXPECT_NEAR(own.t, wanted.t, 2 * (own.error + wanted.error)) << i;
+    EXPECT_EQ(own.entering, wanted.entering) << i;
+    found += wanted.t > 0 ? 1 : 0;
+  }
+  EXPECT_GT(starts, 100);
+  EXPECT_GT(found, 50);
 }
 
 TEST(Julia, NoPassageOfTheSurfaceIsMissed) {
