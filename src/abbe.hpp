@@ -41,6 +41,10 @@ struct PictureOptions {
   int aa_depth = 0;
   double aa_threshold = 0.3;
   double aa_jitter = 0; ///< 0..1
+  /// Rays of each pixel as by `--samples A..B` instead; 0: as the scene says, if aa_depth is 0.
+  int samples = 0;
+  int most_samples = 0;        ///< 0: as many as `samples`
+  double samples_error = 0.05; ///< standard error of a pixel as displayed, 0..1, that is enough
 
   std::uint64_t seed = 0; ///< of all random numbers
   int bands = 0;          ///< spectral bands instead of the scene's. 0: as the scene says

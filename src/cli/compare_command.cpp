@@ -42,6 +42,7 @@ std::string to_json(Arguments const& arguments, image::Image const& reference,
        {{"rmse", number(m.rmse_linear)},
         {"psnr_db", number(m.psnr_linear_db)},
         {"relative_mse", number(m.relative_mse)},
+        {"relative_mse_xyz", number(m.relative_mse_xyz)},
         {"max", number(m.max_linear)}}},
       {"srgb",
        {{"rmse", number(m.rmse_srgb)},
@@ -75,7 +76,7 @@ std::string to_text(Arguments const& arguments, image::Image const& reference,
   };
   line("RMSE, linear", fmt::format("{:.6g}   largest {:.6g}", m.rmse_linear, m.max_linear));
   line("PSNR, linear", decibel(m.psnr_linear_db));
-  line("relative MSE", fmt::format("{:.6g}", m.relative_mse));
+  line("relative MSE", fmt::format("{:.6g}   in XYZ {:.6g}", m.relative_mse, m.relative_mse_xyz));
   line("RMSE, sRGB", fmt::format("{:.6g}   largest {:g} of 255", m.rmse_srgb, m.max_codes));
   line("PSNR, 8-bit sRGB", decibel(m.psnr_srgb_db));
   line("CIEDE2000", fmt::format("mean {:.4f}   95 % {:.4f}   99 % {:.4f}   largest {:.4f}",

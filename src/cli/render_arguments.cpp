@@ -26,6 +26,29 @@ std::string set_anti_aliasing(std::string const& text, render::AntiAliasing& aa)
   return "";
 }
 
+/// "N" or "A..B".
+std::string set_samples(std::string const& text, render::AntiAliasing& aa) {
+  render::Samples samples = aa.samples;
+  char const* const end = text.data() + text.size();
+  auto const [stop, failed] = std::from_chars(text.data(), end, samples.least);
+  bool good = failed == std::errc();
+  if (good && stop == end) {
+    samples.most = samples.least;
+  } else if (good && end - stop > 2 && stop[0] == '.' && stop[1] == '.') {
+    auto const [last, wrong] = std::from_chars(stop + 2, end, samples.most);
+    good = wrong == std::errc() && last == end;
+  } else {
+    good = false;
+  }
+  constexpr int limit = render::Samples::most_of_all;
+  if (!good || samples.least < 1 || samples.most < samples.least || samples.most > limit)
+    return fmt::format("expected N or A..B, numbers of samples from 1 to {}, got '{}'", limit,
+                       text);
+  aa.method = 3;
+  aa.samples = samples;
+  return "";
+}
+
 std::string set_region(std::string const& text, std::optional<render::Region>& out) {
   render::Region region;
   int* const numbers[] = {&region.x0, &region.y0, &region.x1, &region.y1};
@@ -105,6 +128,18 @@ void add_options(CommandLine& app, RenderArguments& arguments) {
                  "how far the rays of method 1 lie from the middle of their cells, of the cells")
       .range(0.0, 1.0)
       .show_default();
+  app.add_option("--samples", arguments.samples,
+                 "rays of each pixel, evenly apart; A..B: from A on, more where the pixel is not "
+                 "yet known to --samples-error (default: as the scene says)")
+      .type_name("N|A..B")
+      .check([&](std::string const& text) { return set_samples(text, options.anti_aliasing); })
+      .excludes("--aa")
+      .excludes("--aa-method");
+  app.add_option("--samples-error", arguments.samples_error,
+                 fmt::format("standard error of a pixel as displayed, from 0 to 1, that is good "
+                             "enough (default: {}, or as the scene says)",
+                             render::Samples::default_error))
+      .range(0.0, 1.0);
   app.add_option(
          "--error", arguments.target.delta_e,
          "choose mode, bands and anti-aliasing for this mean CIEDE2000 (those given are kept)")
@@ -187,6 +222,18 @@ int check(RenderArguments const& arguments) {
     return 2;
   }
   return check_anti_aliasing(options.anti_aliasing);
+}
+
+int settle_samples(RenderArguments& arguments, scene::Settings const& settings) {
+  auto& aa = arguments.options.anti_aliasing;
+  if (!arguments.aa_given && settings.samples) aa = render::AntiAliasing::of(*settings.samples);
+  if (!arguments.samples_error) return 0;
+  if (!aa.by_samples() || aa.samples.least == aa.samples.most) {
+    say("abbe render: --samples-error needs a range of samples: --samples A..B\n");
+    return 2;
+  }
+  aa.samples.error = *arguments.samples_error;
+  return 0;
 }
 
 int check_passes(RenderArguments const& arguments, plan::Plan const& plan) {

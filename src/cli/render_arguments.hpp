@@ -6,6 +6,7 @@
 #include "render/render.hpp"
 #include "study/target.hpp"
 
+#include <optional>
 #include <string>
 
 namespace abbe::cli {
@@ -15,6 +16,9 @@ struct RenderArguments {
   SceneArguments scene;
   std::string output;
   std::string anti_aliasing = "off";
+  std::string samples; ///< "N" or "A..B"; empty: not given
+  std::optional<double> samples_error;
+  bool aa_given = false; ///< on the command line, by either method
   std::string region;
   render::RenderOptions options;
   std::string gamut = "auto";
@@ -35,6 +39,9 @@ void add_options(CommandLine& app, RenderArguments& arguments);
 
 /// Options that do not go together, or not with the picture: says so. The exit status, 0: go on.
 int check(RenderArguments const& arguments);
+/// Takes over what the scene says about samples, where the command line does not. The exit status,
+/// 0: go on.
+int settle_samples(RenderArguments& arguments, scene::Settings const& settings);
 /// Whether --passes is of use, and possible. The exit status, 0: go on.
 int check_passes(RenderArguments const& arguments, plan::Plan const& plan);
 

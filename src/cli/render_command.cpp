@@ -115,6 +115,7 @@ int render_scene(RenderArguments& arguments) {
   options.height = arguments.scene.height;
   options.stop = &job::interrupted();
   options.spectral_output = arguments.scene.spectral;
+  if (int const bad = settle_samples(arguments, evaluated->scene.settings)) return bad;
   std::string chosen;
   if (arguments.has_target())
     if (int const failed = choose(arguments, *evaluated, all, chosen)) return failed;
@@ -197,7 +198,8 @@ int run_render(int argc, char** argv) {
   CommandLine app("Renders a scene.", "abbe render");
   add_options(app, arguments);
   if (int const status = app.parse(argc, argv); status >= 0) return status;
-  arguments.target.keep_aa = app.has("--aa") || app.has("--aa-method");
+  arguments.aa_given = app.has("--aa") || app.has("--aa-method") || app.has("--samples");
+  arguments.target.keep_aa = arguments.aa_given;
   if (int const bad = check_outputs(arguments)) return bad;
   return arguments.frames.empty() ? render_scene(arguments) : render_frames(arguments);
 }

@@ -20,6 +20,7 @@ std::string options_of(study::Choice const& choice, RenderArguments const& argum
   if (arguments.target.keep_aa) return out;
   auto const& aa = choice.aa;
   if (aa.method == 0) return out + " --aa off";
+  if (aa.by_samples()) return out + fmt::format(" --samples {}", aa.samples.least);
   return out
          + fmt::format(" --aa {} --aa-threshold {} --aa-jitter {}", aa.depth, aa.threshold,
                        aa.jitter);

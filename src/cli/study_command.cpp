@@ -50,8 +50,9 @@ void add_options(CommandLine& app, Arguments& arguments) {
       .separated_by(',')
       .range(1, 1000)
       .show_default();
-  app.add_option("--aa", arguments.aa, "anti-aliasing: off, a depth, or depth/threshold")
-      .type_name("off|N[/T],...")
+  app.add_option("--aa", arguments.aa,
+                 "anti-aliasing: off, a depth, depth/threshold, or samples (s16, s1..64/0.05)")
+      .type_name("off|N[/T]|sA[..B[/E]],...")
       .separated_by(',')
       .show_default();
   app.add_option("--reference", arguments.reference_text,

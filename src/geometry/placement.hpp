@@ -40,23 +40,4 @@ private:
   std::shared_ptr<Transform const> whole_;
 };
 
-/// A Transform that is none as a rule: two pointers then. Any other is kept whole, once for all
-/// copies.
-class RarePlacement {
-public:
-  RarePlacement() = default;
-  RarePlacement(Transform const& transform)
-      : whole_(std::make_shared<Transform const>(transform)) {}
-
-  Transform transform() const { return whole_ ? *whole_ : Transform{}; }
-  operator Transform() const { return transform(); }
-  Transform then(Transform const& next) const { return transform().then(next); }
-  Transform inverse() const { return transform().inverse(); }
-  Vec3 point(Vec3 const& p) const { return whole_ ? whole_->point(p) : p; }
-  bool identity() const { return !whole_ || whole_->identity(); }
-
-private:
-  std::shared_ptr<Transform const> whole_;
-};
-
 } // namespace abbe::geometry

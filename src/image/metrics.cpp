@@ -33,6 +33,24 @@ double psnr_db(double rmse) {
   return rmse > 0 ? -20 * std::log10(rmse) : std::numeric_limits<double>::infinity();
 }
 
+/// Sum over pixels and X, Y, Z of (test - reference)^2 / (reference^2 + floor).
+double relative_squares_xyz(Image const& reference, Image const& test, double floor) {
+  double sum = 0;
+  for (std::size_t i = 0; i < reference.pixels(); ++i) {
+    Vec3 known = pixel(reference, i), seen = pixel(test, i);
+    if (known == seen) continue; // also infinities
+    for (int c = 0; c < 3; ++c) {
+      if (std::isnan(known[c])) known[c] = 0;
+      if (std::isnan(seen[c])) seen[c] = 0;
+      if (known[c] == seen[c]) known[c] = seen[c] = std::isinf(known[c]) ? 0 : known[c];
+    }
+    Vec3 const xyz = linear_srgb_to_xyz(known), off = linear_srgb_to_xyz(seen - known);
+    for (int c = 0; c < 3; ++c)
+      if (off[c] != 0) sum += off[c] * off[c] / (xyz[c] * xyz[c] + floor);
+  }
+  return sum;
+}
+
 void compare_linear(Image const& reference, Image const& test, Metrics& out) {
   auto const number = [&](float value) {
     if (!std::isnan(value)) return double{value};
@@ -45,6 +63,7 @@ void compare_linear(Image const& reference, Image const& test, Metrics& out) {
     if (std::isfinite(y)) mean_y += y;
   }
   mean_y /= static_cast<double>(reference.pixels());
+  double const floor = 0.01 * mean_y * mean_y;
   double squares = 0;
   double relative = 0;
   for (std::size_t i = 0; i < reference.rgb.size(); ++i) {
@@ -53,14 +72,17 @@ void compare_linear(Image const& reference, Image const& test, Metrics& out) {
     if (r == t) continue; // also two infinities
     double const difference = std::abs(t - r);
     squares += difference * difference;
-    relative += difference * difference / (r * r + 0.01 * mean_y * mean_y);
+    relative += difference * difference / (r * r + floor);
     out.max_linear = std::max(out.max_linear, difference);
   }
   auto const count = static_cast<double>(reference.rgb.size());
   out.rmse_linear = std::sqrt(squares / count);
   out.psnr_linear_db = psnr_db(out.rmse_linear);
-  out.relative_mse =
-      std::isinf(relative) ? std::numeric_limits<double>::quiet_NaN() : relative / count;
+  auto const mean_of = [&](double sum) {
+    return std::isinf(sum) ? std::numeric_limits<double>::quiet_NaN() : sum / count;
+  };
+  out.relative_mse = mean_of(relative);
+  out.relative_mse_xyz = mean_of(relative_squares_xyz(reference, test, floor));
 }
 
 void compare_codes(Displayed const& shown, double threshold, Metrics& out) {

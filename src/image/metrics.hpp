@@ -27,6 +27,8 @@ struct Metrics {
   /// mean((test - reference)^2 / (reference^2 + 0.01 m^2)), m the mean luminance of the reference.
   /// NaN when the reference is all black and the test is not.
   double relative_mse = 0;
+  /// The same of X, Y and Z instead of r, g and b.
+  double relative_mse_xyz = 0;
   double differing_share = 0; ///< pixels beyond threshold_codes, 0..1
 
   /// CIEDE2000 between the display images, D65.

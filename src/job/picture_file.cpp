@@ -4,6 +4,17 @@
 #include <fmt/format.h>
 
 namespace abbe::job {
+namespace {
+
+std::string text_of(render::AntiAliasing const& aa) {
+  if (aa.method == 0) return "off";
+  if (!aa.by_samples()) return fmt::format("{}", aa.depth);
+  auto const& samples = aa.samples;
+  if (samples.least == samples.most) return fmt::format("samples {}", samples.least);
+  return fmt::format("samples {}..{} error {}", samples.least, samples.most, samples.error);
+}
+
+} // namespace
 
 image::ImageHead head_of(render::RenderOptions const& options, plan::Plan const& plan,
                          std::string const& scene) {
@@ -21,9 +32,7 @@ image::ImageHead head_of(render::RenderOptions const& options, plan::Plan const&
                    {"Scene", scene},
                    {"Plan", plan::describe(plan)},
                    {"Seed", fmt::format("{}", options.seed)},
-                   {"AntiAliasing", options.anti_aliasing.method == 0
-                                        ? std::string("off")
-                                        : fmt::format("{}", options.anti_aliasing.depth)}};
+                   {"AntiAliasing", text_of(options.anti_aliasing)}};
   return head;
 }
 

@@ -146,6 +146,8 @@ private:
          text(p.representation), text(p.dispersion),
          p.merge_px ? fmt::format(" merge {}", text(*p.merge_px)) : "", text(p.mm_per_unit));
     effects(s.effects);
+    if (s.samples)
+      line("samples {} to {} error {}", s.samples->least, s.samples->most, text(s.samples->error));
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);
     std::string edges;

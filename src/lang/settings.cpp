@@ -165,6 +165,32 @@ double read_contact(Reader& in) {
   return Settings::default_contact;
 }
 
+/// After `samples`.
+scene::SampleSettings read_samples(Reader& in) {
+  constexpr int limit = scene::SampleSettings::most_of_all;
+  scene::SampleSettings samples;
+  Span const at = in.next_span();
+  samples.least = samples.most = in.integer("number of samples", 1, limit);
+  if (in.has_value()) samples.most = in.integer("largest number of samples", 1, limit);
+  if (samples.most < samples.least) {
+    in.report(Severity::Error, "E0353",
+              fmt::format("the largest number of samples, {}, is less than the first, {}",
+                          samples.most, samples.least),
+              at);
+    samples.most = samples.least;
+  }
+  if (!in.accept("error")) return samples;
+  Span const error_at = in.next_span();
+  double const error = in.number("error of a pixel as displayed");
+  if (error >= 0 && error <= 1)
+    samples.error = error;
+  else
+    in.report(Severity::Error, "E0353",
+              fmt::format("the error of a pixel as displayed is from 0 to 1, not {}", error),
+              error_at);
+  return samples;
+}
+
 bool read_item(Reader& in, Settings& settings) {
   if (in.open("spectral")) {
     read_spectral(in, settings.spectral);
@@ -175,6 +201,8 @@ bool read_item(Reader& in, Settings& settings) {
     settings.adc_bailout = in.number("adc_bailout");
   } else if (in.accept("contact")) {
     settings.contact = read_contact(in);
+  } else if (in.accept("samples")) {
+    settings.samples = read_samples(in);
   } else if (in.accept("ambient_light")) {
     settings.ambient_light = read_rgb(in, "ambient_light");
   } else if (in.accept("irid_wavelength")) {

@@ -89,7 +89,13 @@ Picture make(lang::Evaluated evaluated, PictureOptions const& options, Picture p
   job.render.height = options.height;
   job.render.threads = options.threads;
   if (options.aa_depth > 0)
-    job.render.anti_aliasing = {1, options.aa_depth, options.aa_threshold, options.aa_jitter};
+    job.render.anti_aliasing = {1, options.aa_depth, options.aa_threshold, options.aa_jitter, true,
+                                {}};
+  else if (options.samples == 0 && evaluated.scene.settings.samples)
+    job.render.anti_aliasing = render::AntiAliasing::of(*evaluated.scene.settings.samples);
+  if (options.samples > 0)
+    job.render.anti_aliasing = render::AntiAliasing::of(
+        {options.samples, std::max(options.samples, options.most_samples), options.samples_error});
   job.render.seed = options.seed;
   job.render.stop = options.stop;
   if (options.on_progress)

@@ -51,6 +51,14 @@ double WorkingSpace::to_linear(double value) const {
   return value;
 }
 
+double WorkingSpace::shown(double value) const {
+  double const inside = std::clamp(value, 0.0, 1.0);
+  if (kind_ == Kind::Srgb) return inside;
+  double const light = kind_ == Kind::Power ? simd::pow(inside, gamma_) : inside;
+  // image::srgb_encode() with powers that are the same on all processors.
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * simd::pow(light, 1 / 2.4) - 0.055;
+}
+
 void WorkingSpace::to_linear(std::span<float> values) const {
   if (kind_ == Kind::Linear) return;
   if (kind_ == Kind::Srgb) {

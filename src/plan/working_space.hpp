@@ -20,6 +20,8 @@ public:
   explicit WorkingSpace(scene::Settings const& settings);
   bool is_linear() const { return kind_ == Kind::Linear; }
   double to_linear(double value) const;
+  /// The value as a display shows it: the sRGB code of its light, within 0 and 1.
+  double shown(double value) const;
   /// Each of them.
   void to_linear(std::span<float> values) const;
   Vec3 to_linear(Vec3 const& rgb) const {

@@ -3,6 +3,7 @@
 
 #include "render/checkpoint.hpp"
 #include "render/each.hpp"
+#include "render/first_look.hpp"
 #include "render/marks.hpp"
 #include "render/pixel_sampler.hpp"
 
@@ -20,17 +21,20 @@ struct Strip {
   int y0 = 0, y1 = 0;       ///< pixels
   int tile0 = 0, tile1 = 0; ///< rows of tiles
   image::Image image;
-  std::vector<std::uint8_t> marks; ///< method 1: pixels to be sampled again
+  std::vector<std::uint8_t> marks; ///< pixels to be sampled again
+  FirstLook look;                  ///< method 3, where pixels are sampled again
 };
 
 /// The picture being made: strip by strip, the tiles of a strip in any order, each pixel written by
 /// the one thread that has its tile.
 class Frame {
 public:
-  Frame(Stage const& stage, RenderOptions const& options, plan::WorkingSpace const* space, int pass)
+  Frame(Stage const& stage, RenderOptions const& options, plan::WorkingSpace const& space,
+        bool linear, int pass)
       : stage_(stage),
         options_(options),
         space_(space),
+        linear_(linear),
         region_(options.pixels()),
         size_(tile_size(options)),
         across_((region_.x1 - region_.x0 + size_.across - 1) / size_.across),
@@ -39,6 +43,7 @@ public:
         workers_([this] { return Worker(*this); }) {
     std::size_t floats = 3;
     if (options.spectral_output) floats += stage.film_bands();
+    if (looks()) floats += 7;
     std::size_t const row_of_tiles = floats * sizeof(float) * static_cast<std::size_t>(size_.down)
                                      * static_cast<std::size_t>(width());
     strip_rows_ = static_cast<int>(std::clamp<std::size_t>(options.rows_bytes / row_of_tiles, 1,
@@ -49,17 +54,17 @@ public:
     return static_cast<std::uint32_t>(across_) * static_cast<std::uint32_t>(down_);
   }
   /// How often tiles are worked on.
-  std::uint32_t phases() const { return options_.anti_aliasing.method == 1 ? 2 : 1; }
+  std::uint32_t phases() const { return options_.anti_aliasing.looks_again() ? 2 : 1; }
 
   RenderResult run() {
-    int const method = options_.anti_aliasing.method;
-    first_share_ = method != 1 ? 1 : grid_alone() ? 0 : 1.0 / 3;
+    bool const again = options_.anti_aliasing.looks_again();
+    first_share_ = !again ? 1 : grid_alone() ? 0 : 1.0 / 3;
     Strip strip = sampled_strip(0);
     std::vector<float> above; // the last row of the strip before, as first sampled
     while (!stopped()) {
       int const behind = strip.tile1;
       Strip next;
-      if (method == 1) {
+      if (again) {
         if (behind < down_) next = sampled_strip(behind);
         if (wrong_) break;
         mark(strip, above, next.image.rgb);
@@ -68,7 +73,7 @@ public:
         refine(strip);
       }
       if (stopped() || wrong_ || !finish(strip) || behind == down_) break;
-      if (method != 1) {
+      if (!again) {
         strip = {}; // before the next takes its memory
         next = sampled_strip(behind);
       }
@@ -90,6 +95,8 @@ private:
   int width() const { return region_.x1 - region_.x0; }
 
   bool subdivides() const { return options_.anti_aliasing.method == 2; }
+  bool by_samples() const { return options_.anti_aliasing.by_samples(); }
+  bool looks() const { return by_samples() && options_.anti_aliasing.looks_again(); }
   /// Every pixel is sampled again, and its first sample does not count: it need not be made.
   bool grid_alone() const {
     auto const& aa = options_.anti_aliasing;
@@ -104,6 +111,7 @@ private:
     strip.y0 = region_.y0 + tile0 * size_.down;
     strip.y1 = std::min(region_.y0 + strip.tile1 * size_.down, region_.y1);
     strip.image = image::make_image(width(), strip.y1 - strip.y0);
+    if (looks()) strip.look = FirstLook(strip.image.pixels());
     if (options_.spectral_output) {
       strip.image.bands.resize(strip.image.pixels() * stage_.film_bands());
       auto const centers = stage_.bands().centers();
@@ -129,7 +137,7 @@ private:
     take(strip.image.bands, rows.bands);
     rows.band_centres_nm = strip.image.band_centres_nm;
     rows.band_edges_nm = strip.image.band_edges_nm;
-    if (space_) make_linear(rows, stage_, *space_);
+    if (linear_) make_linear(rows, stage_, space_);
     refused_ = !options_.on_rows(rows);
   }
 
@@ -137,7 +145,7 @@ private:
   bool finish(Strip& strip) {
     if (options_.on_rows) return !refused_;
     image::Image& rows = strip.image;
-    if (space_) make_linear(rows, stage_, *space_);
+    if (linear_) make_linear(rows, stage_, space_);
     image::Image& whole = result_.image;
     if (whole.width == 0) {
       whole = std::move(rows);
@@ -172,26 +180,61 @@ private:
            + static_cast<std::size_t>(x - region_.x0);
   }
 
-  void put(Strip& strip, Pixel const& pixel, Sampled const& sampled) const {
+  void put(Strip& strip, std::span<Pixel const> pixels, Sampled const* sampled) const {
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      auto const at = index(strip, pixels[k].x, pixels[k].y);
+      for (std::size_t c = 0; c < 3; ++c)
+        strip.image.rgb[3 * at + c] = static_cast<float>(sampled[k].rgb[static_cast<int>(c)]);
+      put_bands(strip, at, sampled[k].bands, 1, 0);
+    }
+  }
+
+  void put(Strip& strip, Pixel const& pixel, FirstSamples const& samples) const {
+    put(strip, {&pixel, 1}, &samples.mean);
+    if (looks()) strip.look.put(index(strip, pixel.x, pixel.y), samples);
+  }
+
+  /// Of a pixel of whose first samples the strip has the mean.
+  void put(Strip& strip, Pixel const& pixel, KnownPixel const& known) const {
     auto const at = index(strip, pixel.x, pixel.y);
-    for (int c = 0; c < 3; ++c)
-      strip.image.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<float>(sampled.rgb[c]);
-    for (std::size_t c = 0; c < sampled.bands.size(); ++c)
-      strip.image.bands[at * sampled.bands.size() + c] =
-          static_cast<float>(sampled.bands[c] * stage_.bands().d65_radiance(static_cast<int>(c)));
+    Vec3 const mean = known.mean();
+    for (std::size_t c = 0; c < 3; ++c)
+      strip.image.rgb[3 * at + c] = static_cast<float>(mean[static_cast<int>(c)]);
+    put_bands(strip, at, known.bands, known.count, options_.anti_aliasing.samples.least);
+  }
+
+  /// @param sums of `count` - `before` samples; of so many before, the strip has the mean
+  void put_bands(Strip& strip, std::size_t pixel, std::vector<double> const& sums, int count,
+                 int before) const {
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      float& band = strip.image.bands[pixel * sums.size() + c];
+      double const more = sums[c] * stage_.bands().d65_radiance(static_cast<int>(c));
+      band = static_cast<float>((static_cast<double>(band) * before + more) / count);
+    }
   }
 
   Strip sampled_strip(int tile0) {
     Strip strip = make_strip(tile0);
     if (grid_alone()) return strip;
     auto const all = [](int, int) { return true; };
+    if (by_samples()) {
+      auto const least = static_cast<std::size_t>(options_.anti_aliasing.samples.least);
+      for_each_tile(strip, 0, least, all, [&](Worker& worker, std::span<Pixel const> pixels) {
+        worker.first.resize(std::max(worker.first.size(), pixels.size()));
+        worker.sampler.first_samples(pixels, worker.first.data());
+        for (std::size_t k = 0; k < pixels.size(); ++k) put(strip, pixels[k], worker.first[k]);
+      });
+      return strip;
+    }
     std::size_t const cells = std::size_t{1} << 2 * (options_.anti_aliasing.depth - 1);
     for_each_tile(strip, 0, subdivides() ? cells : 1, all,
-                  [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
+                  [&](Worker& worker, std::span<Pixel const> pixels) {
+                    Sampled* const out = worker.room(pixels.size());
                     if (subdivides())
-                      sampler.subdivided(pixels, out);
+                      worker.sampler.subdivided(pixels, out);
                     else
-                      sampler.centres(pixels, out);
+                      worker.sampler.centres(pixels, out);
+                    put(strip, pixels, out);
                   });
     return strip;
   }
@@ -203,19 +246,31 @@ private:
     Tracer tracer;
     PixelSampler sampler;
     std::vector<Sampled> sampled;
+    std::vector<FirstSamples> first;
+    std::vector<KnownPixel> known;
+
+    Sampled* room(std::size_t pixels) {
+      sampled.resize(std::max(sampled.size(), pixels));
+      return sampled.data();
+    }
   };
 
   Tracer make_tracer(transport::PathRecord* record = nullptr) const {
     Tracer tracer(stage_, stage_.camera->footprint(options_.width, options_.height), record);
     tracer.stop_when(options_.stop);
-    if (options_.rays_of_pixels) tracer.count_rays();
+    if (options_.rays_of_pixels || looks()) tracer.count_rays();
     return tracer;
   }
 
-  /// Method 1. @param above, below the row before the strip and (first) the one behind it
+  /// Which pixels are sampled again. @param above, below the row before the strip and (first) the
+  /// one behind it
   void mark(Strip& strip, std::span<float const> above, std::span<float const> below) const {
     if (grid_alone())
       strip.marks.assign(strip.image.pixels(), 1);
+    else if (by_samples())
+      strip.marks = strip.look.unknown(strip.image.rgb, static_cast<std::size_t>(width()), above,
+                                       below.first(std::min(below.size(), row_floats())),
+                                       options_.anti_aliasing.samples, space_);
     else
       strip.marks = mark_differences(strip.image.rgb, static_cast<std::size_t>(width()), above,
                                      below.first(std::min(below.size(), row_floats())),
@@ -224,18 +279,35 @@ private:
   std::size_t row_floats() const { return 3 * static_cast<std::size_t>(width()); }
 
   void refine(Strip& strip) {
+    if (by_samples()) return refine_by_samples(strip);
     bool const middle = options_.anti_aliasing.middle_counts;
     auto const depth = static_cast<std::size_t>(options_.anti_aliasing.depth);
     auto const marked = [&](int x, int y) { return strip.marks[index(strip, x, y)] != 0; };
     for_each_tile(strip, 1, depth * depth, marked,
-                  [&](PixelSampler& sampler, std::span<Pixel const> pixels, Sampled* out) {
-                    sampler.refined(pixels, middle, out);
+                  [&](Worker& worker, std::span<Pixel const> pixels) {
+                    Sampled* const out = worker.room(pixels.size());
+                    worker.sampler.refined(pixels, middle, out);
+                    put(strip, pixels, out);
                   });
+  }
+
+  void refine_by_samples(Strip& strip) {
+    auto const marked = [&](int x, int y) { return strip.marks[index(strip, x, y)] != 0; };
+    for_each_tile(strip, 1, 1, marked, [&](Worker& worker, std::span<Pixel const> pixels) {
+      worker.known.clear();
+      for (Pixel const& pixel : pixels) {
+        auto const at = index(strip, pixel.x, pixel.y);
+        worker.known.push_back(
+            strip.look.pixel(at, &strip.image.rgb[3 * at], options_.anti_aliasing.samples));
+      }
+      worker.sampler.further_samples(pixels, space_, worker.known.data());
+      for (std::size_t k = 0; k < pixels.size(); ++k) put(strip, pixels[k], worker.known[k]);
+    });
   }
 
   /// @param each samples of a pixel, about
   /// @param wanted (x, y): is the pixel to be made?
-  /// @param work (sampler, pixels, out): makes them
+  /// @param work (worker, pixels): makes them, and puts them into the strip
   template <class Wanted, class Work>
   void for_each_tile(Strip& strip, std::uint32_t phase, std::size_t each, Wanted const& wanted,
                      Work const& work) {
@@ -246,22 +318,19 @@ private:
         Worker& worker = workers_.local();
         Tracer& tracer = worker.tracer;
         PixelSampler& sampler = worker.sampler;
-        std::vector<Sampled>& sampled = worker.sampled;
         sampler.start();
         RayCounts const before = tracer.counts();
         CutLight const cut_before = tracer.cut_light();
         std::size_t const most = std::max<std::size_t>(1, tracer.batch() / each);
-        sampled.resize(std::max(sampled.size(), most));
         bool whole = true;
         for_each_group(box, most, wanted, [&](std::span<Pixel const> pixels) {
           if (stopped()) return whole = false;
           std::size_t const wrong = first_wrong_.load(std::memory_order_relaxed);
           auto const behind = [&](Pixel const& pixel) { return number(pixel) > wrong; };
           if (wrong != none && std::all_of(pixels.begin(), pixels.end(), behind)) return true;
-          work(sampler, pixels, sampled.data());
+          work(worker, pixels);
           if (stopped()) return whole = false;
           if (sampler.wrong()) keep(*sampler.wrong());
-          for (std::size_t k = 0; k < pixels.size(); ++k) put(strip, pixels[k], sampled[k]);
           return true;
         });
         if (!whole || first_wrong_ != none) return;
@@ -294,6 +363,9 @@ private:
       auto const first = index(strip, box.x0, y);
       auto const count = static_cast<std::size_t>(box.x1 - box.x0);
       work(strip.image.rgb, 3 * first, 3 * count);
+      if (!looks()) continue;
+      work(strip.look.squares, 3 * first, 3 * count);
+      work(strip.look.rays, first, count);
       if (channels > 0) work(strip.image.bands, channels * first, channels * count);
     }
   }
@@ -363,7 +435,8 @@ private:
 
   Stage const& stage_;
   RenderOptions const& options_;
-  plan::WorkingSpace const* space_;
+  plan::WorkingSpace const& space_;
+  bool linear_; ///< linear rows are handed on, whatever the numbers of the scene
   Region region_;
   TileSize size_;
   int across_, down_;         ///< tiles
@@ -411,8 +484,8 @@ void make_linear(image::Image& rows, Stage const& stage, plan::WorkingSpace cons
 }
 
 RenderResult make_frame(Stage const& stage, RenderOptions const& options,
-                        plan::WorkingSpace const* space, int pass) {
-  Frame frame(stage, options, space, pass);
+                        plan::WorkingSpace const& space, bool linear, int pass) {
+  Frame frame(stage, options, space, linear, pass);
   if (options.checkpoint && pass == 0)
     options.checkpoint->begin(frame.tiles(),
                               frame.phases() * static_cast<std::uint32_t>(options.passes));

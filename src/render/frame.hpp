@@ -18,10 +18,11 @@ inline constexpr int usual_tile = 32;
 TileSize tile_size(RenderOptions const& options);
 
 /// One picture of a scene that was made ready, as RenderOptions say but for their passes.
-/// @param space of the channels when they are r g b; nullptr: their numbers stay as they are
+/// @param space of the channels when they are r g b
+/// @param linear false: their numbers stay as they are
 /// @param pass which of them it is, for the checkpoint
 RenderResult make_frame(Stage const& stage, RenderOptions const& options,
-                        plan::WorkingSpace const* space, int pass = 0);
+                        plan::WorkingSpace const& space, bool linear = true, int pass = 0);
 
 /// Of pictures that were left in the numbers of the scene. @param space of r g b
 void make_linear(image::Image& rows, Stage const& stage, plan::WorkingSpace const& space);

@@ -54,4 +54,26 @@ std::vector<std::uint8_t> mark_differences(std::span<float const> rgb, std::size
   return marks;
 }
 
+std::vector<float> contrasts(std::span<float const> rgb, std::size_t width,
+                             std::span<float const> above, std::span<float const> below) {
+  std::vector<float> out(rgb.size(), 0);
+  std::size_t const row = 3 * width;
+  auto const look = [&](std::span<float const> here, std::span<float const> there, float* most) {
+    for (std::size_t i = 0; i < row; ++i) {
+      most[i] = std::max(most[i], std::abs(there[i] - here[i]));
+      if (i >= 3) most[i] = std::max(most[i], std::abs(there[i - 3] - here[i]));
+      if (i + 3 < row) most[i] = std::max(most[i], std::abs(there[i + 3] - here[i]));
+    }
+  };
+  for (std::size_t first = 0; first < rgb.size(); first += row) {
+    auto const here = rgb.subspan(first, row);
+    auto const before = first > 0 ? rgb.subspan(first - row, row) : above;
+    auto const behind = first + row < rgb.size() ? rgb.subspan(first + row, row) : below;
+    look(here, here, out.data() + first);
+    if (!before.empty()) look(here, before, out.data() + first);
+    if (!behind.empty()) look(here, behind, out.data() + first);
+  }
+  return out;
+}
+
 } // namespace abbe::render

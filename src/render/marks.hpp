@@ -20,4 +20,9 @@ std::vector<std::uint8_t> mark_differences(std::span<float const> rgb, std::size
                                            std::span<float const> above,
                                            std::span<float const> below, double threshold);
 
+/// How much the pixels around each one differ from it, at most: per component of the light. Pixels
+/// outside of the rows, `above` and `below` do not count. @return three a pixel
+std::vector<float> contrasts(std::span<float const> rgb, std::size_t width,
+                             std::span<float const> above, std::span<float const> below);
+
 } // namespace abbe::render

@@ -86,7 +86,7 @@ RenderOptions options_of_pass(RenderOptions const& options, int pass) {
 
 bool passes_differ(plan::Plan const& plan, AntiAliasing const& anti_aliasing) {
   return plan.has(plan::Effect::StochasticDispersion) || plan.has(plan::Effect::AreaLights)
-         || (anti_aliasing.method == 1 && anti_aliasing.jitter > 0);
+         || anti_aliasing.by_samples() || (anti_aliasing.method == 1 && anti_aliasing.jitter > 0);
 }
 
 double bytes_of_sums(plan::Plan const& plan, RenderOptions const& options) {
@@ -116,7 +116,7 @@ RenderResult make_passes(Stage const& stage, RenderOptions const& options,
         options.on_progress({(pass + progress.share) / wanted, all.counts.total() + progress.rays});
       };
     sums.begin_pass();
-    add_report(all, make_frame(stage, one, nullptr, pass));
+    add_report(all, make_frame(stage, one, space, false, pass));
     all.passes = pass;
     if (all.interrupted || all.bad_sample) return all;
     if (options.passes_wanted) wanted = options.passes_wanted(pass + 1);

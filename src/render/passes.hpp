@@ -22,7 +22,7 @@ namespace abbe::render {
 RenderOptions options_of_pass(RenderOptions const& options, int pass);
 
 /// Is a second pass another picture than the first? Not unless something hangs on random numbers:
-/// a stochastic mode of dispersion, or the grid of method 1 with jitter.
+/// a stochastic mode of dispersion, the grid of method 1 with jitter, or the points of method 3.
 bool passes_differ(plan::Plan const& plan, AntiAliasing const& anti_aliasing);
 
 /// Memory that the sums of several passes take.

@@ -80,6 +80,7 @@ void PixelSampler::take(Sampled* out) {
       out->bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
       out->rgb = tracer_.light_of(k, out->bands);
       out->lost = tracer_.lost_of(k);
+      if (tracer_.counts_rays()) out->rays = tracer_.rays_of(k);
       if (options_.rays_of_pixels)
         (*options_.rays_of_pixels)[place_of(spots_.pixel[first + k])] +=
             static_cast<float>(tracer_.rays_of(k));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "plan/working_space.hpp"
 #include "render/compile.hpp"
 #include "render/number_table.hpp"
 #include "render/pixel_order.hpp"
 #include "render/render.hpp"
 #include "transport/tracer.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,10 +21,31 @@ using transport::CutLight, transport::SampleKey, transport::Tracer;
 struct Sampled {
   Vec3 rgb{0};
   double lost = 0; ///< what was cut of it (CutLight)
+  double rays = 0; ///< that it took, where the tracer counts them
   std::vector<double> bands;
 
   void add(Sampled const& other);
   void scale(double factor);
+};
+
+/// The first samples of a pixel of method 3.
+struct FirstSamples {
+  Sampled mean;
+  Vec3 squares{0}; ///< sum of the squares of the samples' distances from it
+  double rays = 0; ///< that they took
+};
+
+/// A pixel of method 3 that is looked at again.
+struct KnownPixel {
+  int count = 0;             ///< samples so far
+  Vec3 sum{0};               ///< of their light
+  double rays = 0;           ///< that they took
+  Vec3 contrast{0};          ///< how far from the pixel's light that is which is near it
+  std::vector<double> bands; ///< sum of those samples that were not first
+  /// Sums of each quarter of the samples, in order; of the first samples, they are all the first.
+  std::array<Vec3, 4> quarters{};
+
+  Vec3 mean() const { return sum / static_cast<double>(count); }
 };
 
 /// Samples the picture plane. The random numbers of a sample depend only on where it lies, so that
@@ -41,6 +64,12 @@ public:
   /// Method 2: each pixel from its corners, subdivided where they differ. Samples are kept: pixels
   /// that share a corner, and cells within them, share what was sampled there.
   void subdivided(std::span<Pixel const> pixels, Sampled* out);
+  /// Method 3: the first samples of each pixel.
+  void first_samples(std::span<Pixel const> pixels, FirstSamples* out);
+  /// Method 3: further samples, until each pixel is known well enough (shown_error.hpp) or has the
+  /// most samples. @param space of the numbers @param known begun with the first samples
+  void further_samples(std::span<Pixel const> pixels, plan::WorkingSpace const& space,
+                       KnownPixel* known);
   /// What was cut of the light of subdivided pixels, in CutLight::unit. It is counted by pixel: how
   /// many samples are shared depends on tiles.
   std::uint64_t lost() const { return lost_; }
@@ -72,6 +101,8 @@ private:
   void add_spot(double x, double y, RandomKey key, std::uint64_t number, Pixel const& pixel);
   void add_centre(Pixel const& pixel);
   void add_grid(Pixel const& pixel);
+  /// Samples [first, end) of a pixel.
+  void add_samples(Pixel const& pixel, int first, int end);
   /// In the region.
   std::size_t place_of(Pixel const& pixel) const;
   /// All spots.

@@ -31,7 +31,7 @@ RenderResult render_scene(Scene&& scene, plan::Plan const& plan, RenderOptions c
     options.rays_of_pixels->assign(
         static_cast<std::size_t>(region.x1 - region.x0) * (region.y1 - region.y0), 0);
   }
-  if (options.passes == 1 && !options.passes_wanted) return make_frame(stage, options, &space);
+  if (options.passes == 1 && !options.passes_wanted) return make_frame(stage, options, space);
   return make_passes(stage, options, space);
 }
 
@@ -60,7 +60,7 @@ std::vector<RenderResult> render_regions(scene::Scene const& scene, plan::Plan c
     auto const at = static_cast<std::size_t>(i);
     auto one = options;
     one.region = regions[at];
-    results[at] = make_frame(stage, one, &space);
+    results[at] = make_frame(stage, one, space);
   });
   return results;
 }

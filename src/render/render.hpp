@@ -15,17 +15,33 @@ namespace abbe::render {
 
 using transport::BadSample, transport::PathStep, transport::RayCounts;
 
-/// POV-Ray's two methods of anti-aliasing. Method 1 re-samples pixels that differ from a neighbour
-/// on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to `depth` - 1
-/// times.
+/// How many samples a pixel gets, and where: the points of base/sobol.hpp. `least` each; where the
+/// pixel as displayed is not yet known to a standard error of `error` (root of the mean square over
+/// r, g and b, of 0 to 1; shown_error.hpp), twice as many, and so on up to `most`.
+using Samples = scene::SampleSettings;
+
+/// POV-Ray's two methods of anti-aliasing, and our own. Method 1 re-samples pixels that differ from
+/// a neighbour on a depth x depth grid; method 2 starts at the pixel's corners and subdivides up to
+/// `depth` - 1 times; method 3 goes by `samples` alone.
 struct AntiAliasing {
-  int method = 0; ///< 0 off, 1, 2
+  int method = 0; ///< 0 off, 1, 2, 3
   int depth = 3;
   double threshold = 0.3;
   double jitter = 0; ///< of the sub-pixel positions, 0..1
   /// Method 1: the ray through the middle counts, beside the grid, in pixels that are sampled
   /// again.
   bool middle_counts = true;
+  Samples samples; ///< of method 3
+
+  static AntiAliasing of(Samples const& samples) {
+    AntiAliasing aa;
+    aa.method = 3;
+    aa.samples = samples;
+    return aa;
+  }
+  bool by_samples() const { return method == 3; }
+  /// Tiles are worked on twice: what is to be sampled again shows in the picture so far.
+  bool looks_again() const { return method == 1 || (by_samples() && samples.least < samples.most); }
 };
 
 struct Region {

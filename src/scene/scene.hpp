@@ -109,7 +109,7 @@ struct Texture {
   std::shared_ptr<TextureMap const> map;
   bool uv = false; ///< it is asked for at <u, v, 0> of the surface instead of the point
   /// Texture space -> the space that its object stands in (Object's parent; the world in a Scene).
-  geometry::RarePlacement placement;
+  geometry::Placement placement;
 };
 /// From the bottom (first written) to the top.
 using Layers = std::vector<Texture>;
@@ -244,6 +244,14 @@ struct SpectralSettings {
   double mm_per_unit = 1;
 };
 
+/// `samples A, B error E`: how many rays a pixel gets.
+struct SampleSettings {
+  static constexpr int most_of_all = 1 << 24;
+  static constexpr double default_error = 0.05;
+  int least = 1, most = 1;
+  double error = default_error; ///< of the pixel as displayed, 0 to 1, that is good enough
+};
+
 struct Settings {
   /// Where paths end. Neither given: where what they can still add is below a bound (render).
   /// One given: POV-Ray's meaning, and its default (1/255, 5) of the other.
@@ -262,6 +270,7 @@ struct Settings {
   double contact = default_contact;
   SpectralSettings spectral;
   EffectSettings effects;
+  std::optional<SampleSettings> samples; ///< nothing: as the command line says
 };
 
 struct SkySphere {

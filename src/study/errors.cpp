@@ -51,6 +51,7 @@ Errors measure_errors(image::Image const& reference, image::Image const& test,
   auto const metrics = image::compare(reference, test);
   errors.delta_e_mean = metrics->delta_e_mean;
   errors.delta_e_p99 = metrics->delta_e_p99;
+  errors.relative_mse_rgb = metrics->relative_mse;
   errors.flip = metrics->flip_mean;
   Weights const weights(reference);
   double sum = 0;

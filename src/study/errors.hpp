@@ -15,10 +15,11 @@ struct Errors {
   /// Mean over pixels and X, Y, Z of (test - reference)^2 / (reference^2 + 0.01 m^2), m the mean
   /// luminance of the reference.
   double relative_mse = 0;
-  double delta_e_mean = 0; ///< CIEDE2000 of the pictures as displayed (image::compare)
-  double delta_e_p99 = 0;  ///< 99 % of the pixels are not above it
-  double flip = 0;         ///< mean, 0..1
-  double banding = 0;      ///< study/banding.hpp; CIELAB units a pixel
+  double relative_mse_rgb = 0; ///< the same of linear r, g and b
+  double delta_e_mean = 0;     ///< CIEDE2000 of the pictures as displayed (image::compare)
+  double delta_e_p99 = 0;      ///< 99 % of the pixels are not above it
+  double flip = 0;             ///< mean, 0..1
+  double banding = 0;          ///< study/banding.hpp; CIELAB units a pixel
 };
 
 /// The relative root mean square error of one picture in two parts, from several of different

@@ -110,6 +110,10 @@ plan::Overrides Prober::overrides_of(Place const& place) const {
 render::AntiAliasing Prober::aa_of(Place const& place) const {
   auto aa = options_.anti_aliasing;
   if (keep_aa_) return aa;
+  if (place.aa.depth > 0 && place.aa.threshold <= 0) {
+    int const samples = place.aa.depth * place.aa.depth;
+    return render::AntiAliasing::of({samples, samples});
+  }
   aa.method = place.aa.depth > 0 ? 1 : 0;
   if (place.aa.depth > 0) {
     aa.depth = place.aa.depth;
@@ -168,10 +172,6 @@ void Prober::fit_patches(double seconds) {
 
 void Prober::make_reference(double noise, double seconds) {
   auto const overrides = reference_overrides();
-  render::AntiAliasing aa;
-  aa.method = 1;
-  aa.threshold = 0;
-  aa.jitter = 1;
   Stopwatch const since;
   std::vector<Vec3> halves[2];
   int samples = 0;
@@ -179,8 +179,8 @@ void Prober::make_reference(double noise, double seconds) {
   std::span<int const> const depths =
       seconds > 0 ? std::span<int const>(quick_depths) : std::span<int const>(reference_depths);
   for (std::size_t round = 0; round < depths.size(); ++round) {
-    aa.depth = depths[round];
-    int const more = samples_of(aa.depth);
+    int const more = depths[round] * depths[round];
+    auto const aa = render::AntiAliasing::of({more, more});
     if (seconds > 0 && since.wall_s() + a_sample_s * more > seconds && round > 0) break;
     for (std::uint64_t half = 0; half < 2; ++half) {
       auto const made = probe(overrides, aa, options_.seed + 1 + 2 * round + half, patches_);
@@ -283,6 +283,11 @@ Seen Prober::one_pass(Place place) {
   // Samples of a grid, by those that were made.
   double const samples = static_cast<double>(depth * depth) / probed;
   auto const many = many_.find(off);
+  if (aa_of(place).by_samples()) { // of every pixel, and no others
+    if (many == many_.end()) return {0, grid.rays * samples, grid.seconds * samples};
+    double const all = static_cast<double>(depth * depth);
+    return {0, many->second.rays * all, many->second.seconds * all};
+  }
   if (many == many_.end())
     return {0, middle.rays + std::max(0.0, grid.rays - middle.rays) * samples,
             middle.seconds + std::max(0.0, grid.seconds - middle.seconds) * samples};
@@ -308,13 +313,12 @@ Seen Prober::reckon(Place const& place) {
     few_samples = samples_of(shallow);
     more_samples = samples_of(less_shallow);
     // The ray through the middle counts in the first pass, and tells which pixels are sampled
-    // again.
-    samples = place.passes * place.aa.depth * place.aa.depth + 1;
+    // again. Samples that are in all pixels have none.
+    bool const by_samples = aa_of(place).by_samples();
+    samples = place.passes * place.aa.depth * place.aa.depth + (by_samples ? 0 : 1);
     Seen const one = one_pass(place);
-    // Where every pixel is sampled again, later passes do without the middle.
-    double const left_out = place.aa.threshold > 0 ? 0 : 1;
-    rays = one.rays + (place.passes - 1) * (one.rays - left_out * middle(place).rays);
-    seconds = one.seconds + (place.passes - 1) * (one.seconds - left_out * middle(place).seconds);
+    rays = one.rays * place.passes;
+    seconds = one.seconds * place.passes;
   }
   // Of the error's square, what falls with the number of samples, and what does not.
   double const few_e = see(few).delta_e, more_e = see(more).delta_e;

@@ -34,6 +34,7 @@ ordered_json setting_json(StudyResult const& result, SettingResult const& s) {
   out["peak_mib"] = s.peak_mib;
   out["rays"] = to_json(first)["rays"];
   out["relative_mse"] = optional(s.errors.relative_mse);
+  out["relative_mse_rgb"] = optional(s.errors.relative_mse_rgb);
   out["delta_e_mean"] = s.errors.delta_e_mean;
   out["delta_e_p99"] = s.errors.delta_e_p99;
   out["flip"] = s.errors.flip;
@@ -85,7 +86,7 @@ std::string study_csv(StudyResult const& result, StudyOptions const& options,
   std::string out =
       "version,identity,scene,width,height,processor,threads,setting,family,value,aa,seed,cpu_s,"
       "wall_s,scene_s,peak_mib,camera,reflected,refracted,monochromatic,shadow,rays,relative_mse,"
-      "delta_e_mean,delta_e_p99,flip,banding,noise,bias,on_front\n";
+      "relative_mse_rgb,delta_e_mean,delta_e_p99,flip,banding,noise,bias,on_front\n";
   auto const quoted = [](std::string const& text) {
     std::string inside;
     for (char const c : text) inside += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -101,8 +102,9 @@ std::string study_csv(StudyResult const& result, StudyOptions const& options,
                          run.wall_s, run.scene_s, run.peak_mib, run.rays.camera, run.rays.reflected,
                          run.rays.refracted, run.rays.monochromatic, run.rays.shadow,
                          run.rays.total());
-      out += fmt::format("{},{},{},{},{},{},{},{}\n", s.errors.relative_mse, s.errors.delta_e_mean,
-                         s.errors.delta_e_p99, s.errors.flip, s.errors.banding,
+      out += fmt::format("{},{},{},{},{},{},{},{},{}\n", s.errors.relative_mse,
+                         s.errors.relative_mse_rgb, s.errors.delta_e_mean, s.errors.delta_e_p99,
+                         s.errors.flip, s.errors.banding,
                          s.spread ? fmt::format("{}", s.spread->noise) : "",
                          s.spread ? fmt::format("{}", s.spread->bias) : "", s.on_front ? 1 : 0);
     }

@@ -2,8 +2,10 @@
 #include "study/settings.hpp"
 
 #include "base/diagnostic.hpp"
+#include "scene/scene.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -40,6 +42,33 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+bool by_samples(std::string const& text) {
+  return text.starts_with('s');
+}
+
+/// The numbers of "sN", "sA..B" and "sA..B/E".
+struct Range {
+  int least, most;
+};
+std::optional<Range> parse_range(std::string_view text) {
+  auto const slash = text.find('/');
+  auto const numbers = text.substr(1, slash == std::string_view::npos ? slash : slash - 1);
+  auto const dots = numbers.find("..");
+  auto const least = number(numbers.substr(0, dots));
+  auto const most = dots == std::string_view::npos ? least : number(numbers.substr(dots + 2));
+  auto const whole = [](std::optional<double> const& value) {
+    return value && *value >= 1 && *value <= scene::SampleSettings::most_of_all
+           && *value == std::floor(*value);
+  };
+  if (!whole(least) || !whole(most) || *most < *least) return std::nullopt;
+  if (slash != std::string_view::npos) {
+    auto const error = number(text.substr(slash + 1));
+    if (dots == std::string_view::npos || !error || !(*error >= 0 && *error <= 1))
+      return std::nullopt;
+  }
+  return Range{static_cast<int>(*least), static_cast<int>(*most)};
+}
+
 } // namespace
 
 std::vector<std::string> fill_words(std::string_view words, std::string_view value) {
@@ -52,22 +81,32 @@ std::vector<std::string> fill_words(std::string_view words, std::string_view val
 std::vector<std::string> Sampling::words() const {
   if (text == "off") return {"--aa", "off"};
   auto const slash = text.find('/');
+  if (by_samples(text)) {
+    std::vector<std::string> out{"--samples", text.substr(1, slash - 1)};
+    if (slash != std::string::npos) {
+      out.emplace_back("--samples-error");
+      out.push_back(text.substr(slash + 1));
+    }
+    return out;
+  }
   if (slash == std::string::npos) return {"--aa", text};
   return {"--aa", text.substr(0, slash), "--aa-threshold", text.substr(slash + 1)};
 }
 
 int Sampling::samples() const {
   if (text == "off") return 1;
+  if (by_samples(text)) return parse_range(text)->most;
   auto const depth = static_cast<int>(*number(std::string_view(text).substr(0, text.find('/'))));
   return depth * depth + 1;
 }
 
 Sampling Sampling::everywhere() const {
+  if (by_samples(text)) return {fmt::format("s{}", samples())};
   return {text == "off" ? text : text.substr(0, text.find('/')) + "/0"};
 }
 
 Result<Sampling> parse_sampling(std::string const& text) {
-  if (text == "off") return Sampling{text};
+  if (text == "off" || (by_samples(text) && parse_range(text))) return Sampling{text};
   auto const slash = text.find('/');
   auto const depth = number(std::string_view(text).substr(0, slash));
   auto const threshold =
@@ -75,9 +114,12 @@ Result<Sampling> parse_sampling(std::string const& text) {
   if (depth && *depth >= 1 && *depth <= deepest && *depth == static_cast<int>(*depth) && threshold
       && *threshold >= 0 && *threshold <= 3)
     return Sampling{text};
-  return Error{"E0530", fmt::format("anti-aliasing '{}': expected off, a depth from 1 to {}, or "
-                                    "DEPTH/THRESHOLD with a threshold from 0 to 3",
-                                    text, deepest)};
+  return Error{
+      "E0530",
+      fmt::format("anti-aliasing '{}': expected off, a depth from 1 to {}, "
+                  "DEPTH/THRESHOLD with a threshold from 0 to 3, sN samples of a pixel, or "
+                  "sA..B[/ERROR]",
+                  text, deepest)};
 }
 
 Result<std::vector<Setting>> make_settings(Selection const& selection) {

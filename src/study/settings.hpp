@@ -28,7 +28,8 @@ std::span<Family const> families();
 /// @return null when there is none
 Family const* find_family(std::string_view name);
 
-/// Anti-aliasing of the command line: "off", a depth, or depth/threshold ("3", "4/0").
+/// Anti-aliasing of the command line: "off", a depth, depth/threshold ("3", "4/0"), or samples of a
+/// pixel ("s16", "s1..64", "s1..64/0.02": with an error).
 struct Sampling {
   std::string text;
   std::vector<std::string> words() const;

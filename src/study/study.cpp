@@ -251,6 +251,7 @@ private:
       for (auto const& picture : pictures) {
         auto const e = measure_errors(*reference, picture, field);
         result.errors.relative_mse += e.relative_mse / count;
+        result.errors.relative_mse_rgb += e.relative_mse_rgb / count;
         result.errors.delta_e_mean += e.delta_e_mean / count;
         result.errors.delta_e_p99 += e.delta_e_p99 / count;
         result.errors.flip += e.flip / count;

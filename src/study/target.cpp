@@ -33,9 +33,11 @@ Choice choice_of(Prober const& prober, Answer const& answer) {
   if (choice.bands)
     choice.text +=
         fmt::format("{} bands{}, ", *choice.bands, prober.composite() ? " and lines" : "");
-  choice.text += choice.aa.method == 0 ? std::string("no anti-aliasing")
-                                       : fmt::format("aa {} (threshold {:.3g})", choice.aa.depth,
-                                                     choice.aa.threshold);
+  choice.text +=
+      choice.aa.method == 0 ? std::string("no anti-aliasing")
+      : choice.aa.by_samples()
+          ? fmt::format("{} samples a pixel", choice.aa.samples.least)
+          : fmt::format("aa {} (threshold {:.3g})", choice.aa.depth, choice.aa.threshold);
   if (choice.passes > 1) choice.text += fmt::format(", about {} passes", choice.passes);
   return choice;
 }

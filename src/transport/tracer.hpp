@@ -51,6 +51,7 @@ public:
   void stop_when(std::atomic<bool> const* stop) { stop_ = stop; }
   /// Counts each sample's rays from now on.
   void count_rays() { emitter_.count_rays(); }
+  bool counts_rays() const { return !emitter_.rays_of_sample.empty(); }
   std::uint32_t rays_of(std::size_t sample) const { return emitter_.rays_of_sample[sample]; }
 
   RayCounts const& counts() const { return emitter_.counts; }

@@ -13,7 +13,8 @@ namespace {
 
 using Jitter = optics::Comb::Jitter;
 
-// Dimensions of a sample's random numbers.
+// Dimensions of a sample's random numbers. Those of the place are before them in
+// SampleKey::points; what is many begins a group of dimensions there.
 constexpr std::uint64_t first_offset = 0, second_offset = 1, choice = 2, tooth_offsets = 16;
 
 double fraction(double value) {
@@ -27,6 +28,7 @@ constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.
 } // namespace
 
 double SampleKey::uniform(std::uint64_t dimension) const {
+  if (points) return points->at(number, dimension + (dimension < tooth_offsets ? 2 : 3));
   return fraction(pixel.uniform(dimension)
                   + static_cast<double>(number) * steps[dimension % steps.size()]);
 }
@@ -36,6 +38,7 @@ double SampleKey::independent(std::uint64_t dimension) const {
 }
 
 double SampleKey::blue() const {
+  if (points) return uniform(0);
   // Another seed, another part of the mask, and another start.
   auto const shift = [&](std::uint64_t d) {
     return static_cast<std::int64_t>(64 * picture.uniform(d));
@@ -78,10 +81,9 @@ double WaveTables::common_number(optics::Comb const& comb, SampleKey const& key,
 double WaveTables::offset(int wave, SampleKey const& key, int tooth) const {
   optics::Comb const& comb = comb_of(wave);
   auto const dimension = wave >= comb_count() ? second_offset : first_offset;
-  double u =
-      comb.jitter == Jitter::Stratified
-          ? key.independent(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension)
-          : common_number(comb, key, dimension);
+  double u = comb.jitter == Jitter::Stratified
+                 ? key.many(tooth_offsets + 2 * static_cast<std::uint64_t>(tooth) + dimension)
+                 : common_number(comb, key, dimension);
   // One number draws the hero and the offset of the whole comb: the hero's own wavelength then
   // takes even steps over the whole range.
   if (comb.follow == optics::Comb::Follow::Hero) u = fraction(u * drawn_teeth(wave % comb_count()));

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "base/random.hpp"
+#include "base/sobol.hpp"
 #include "optics/band_hats.hpp"
 #include "transport/rays.hpp"
 #include "transport/stage.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,9 +21,17 @@ struct SampleKey {
   std::uint64_t number = 0;
   std::int64_t x = 0, y = 0; ///< of the pixel
   RandomKey picture{};       ///< of all pixels
+  /// Set: the numbers are those of these points, whose first two dimensions are the place in the
+  /// pixel, so that place and wavelengths are stratified together.
+  std::optional<PixelPoints> points{};
   double uniform(std::uint64_t dimension) const;
   /// Of this sample alone, not spread.
   double independent(std::uint64_t dimension) const;
+  /// What has so many dimensions that uniform() has no irrational numbers for all of them:
+  /// independent(), unless the sample has points.
+  double many(std::uint64_t dimension) const {
+    return points ? uniform(dimension) : independent(dimension);
+  }
   /// As uniform(), from a start that neighbouring pixels have far apart.
   double blue() const;
 };

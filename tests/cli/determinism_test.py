@@ -57,6 +57,11 @@ class SameBytes(CliTest):
         self.same('--dispersion', 'none', scene=AIR)
         self.same('--aa', 2, '--aa-method', 2, '--aa-threshold', 0.05, scene=AIR)
 
+    def test_samples(self):
+        self.same('--samples', 5, '--dispersion', 'stochastic')
+        self.same('--samples', '1..32', '--samples-error', 0.05, '--dispersion', 'stochastic rays 2')
+        self.same('--samples', '2..8', '--dispersion', 'none', scene=AIR)
+
     def test_anti_aliasing_on_a_grid(self):
         self.same('--aa', 3, '--aa-threshold', 0.05)
 

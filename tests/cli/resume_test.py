@@ -45,7 +45,7 @@ class Resume(CliTest):
         self.fail('the render does not get on')
 
     def test_killed_at_any_moment(self):
-        for words in (('--aa', 'off'), ('--aa', 2), ('--aa', 2, '--aa-method', 2),
+        for words in (('--aa', 'off'), ('--aa', 2), ('--aa', 2, '--aa-method', 2), ('--samples', '1..8'),
                       ('--aa', 2, '--aa-jitter', 1, '--passes', 2)):
             with self.subTest(words):
                 whole = self.whole(*words)
@@ -128,7 +128,7 @@ class Resume(CliTest):
         self.interrupted()
         resume = ['render', 'glass.scn', '-o', 'out.png', '--resume']
         same = [*resume, '-W', 1500, '-H', 1500]
-        for more in (['--aa', 2], ['--seed', 1], ['--passes', 2], ['--bands', 3], ['-D', 'X=1'], ['--tile', 8]):
+        for more in (['--aa', 2], ['--samples', 2], ['--seed', 1], ['--passes', 2], ['--bands', 3], ['-D', 'X=1'], ['--tile', 8]):
             with self.subTest(more):
                 self.assertIn('E0520', self.run_abbe(*same, *more, status=1).stderr)
         self.assertIn('E0520', self.run_abbe(*resume, '-W', 1501, '-H', 1500, status=1).stderr)

@@ -162,6 +162,8 @@ private:
             std::optional<render::Region> const& part) {
     job::Options job;
     job.render = render_options(settings_, part);
+    if (!settings_.antialias && evaluated.scene.settings.samples)
+      job.render.anti_aliasing = render::AntiAliasing::of(*evaluated.scene.settings.samples);
     auto const shown = job.render.pixels();
     ProgressLine progress(settings_.verbose,
                           std::int64_t{shown.x1 - shown.x0} * (shown.y1 - shown.y0));

@@ -38,7 +38,7 @@ void Lens::spread(Rays& rays, std::span<SampleKey const> keys) const {
   for (std::size_t k = keys.size(); k-- > 0;) {
     Vec3 const origin = rays.origin.get(k), direction = rays.direction.get(k);
     Vec3 const focus = direction * (focal_distance_ / glm::dot(direction, ahead_));
-    double const u = keys[k].independent(across), v = keys[k].independent(around);
+    double const u = keys[k].many(across), v = keys[k].many(around);
     for (std::size_t i = each; i-- > 0;) {
       // Roberts' R2 sequence: points that are evenly apart, however many there are.
       double const at = static_cast<double>(i);

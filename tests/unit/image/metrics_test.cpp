@@ -25,6 +25,7 @@ TEST(Metrics, EqualImagesHaveNoDifference) {
   EXPECT_EQ(m->rmse_srgb, 0);
   EXPECT_TRUE(std::isinf(m->psnr_linear_db) && std::isinf(m->psnr_srgb_db));
   EXPECT_EQ(m->relative_mse, 0);
+  EXPECT_EQ(m->relative_mse_xyz, 0);
   EXPECT_EQ(m->delta_e_mean, 0);
   EXPECT_EQ(m->delta_e_max, 0);
   EXPECT_EQ(m->flip_max, 0);
@@ -38,6 +39,12 @@ TEST(Metrics, ConstantOffsetByHand) {
   EXPECT_NEAR(m->psnr_linear_db, 12.0412, 5e-5); // 20 log10 4
   EXPECT_EQ(m->max_linear, 0.25);
   EXPECT_NEAR(m->relative_mse, 0.0625 / (0.25 + 0.01 * 0.25), 1e-15);
+  EXPECT_NEAR(m->relative_mse_xyz,
+              (0.0625 * 0.9505 * 0.9505 / (0.25 * 0.9505 * 0.9505 + 0.01 * 0.25)
+               + 0.0625 / (0.25 + 0.01 * 0.25)
+               + 0.0625 * 1.089 * 1.089 / (0.25 * 1.089 * 1.089 + 0.01 * 0.25))
+                  / 3,
+              1e-6);                  // X, Y, Z of white: 0.9505, 1, 1.089
   EXPECT_EQ(m->max_codes, 188 - 137); // codes of 0.5 and 0.25
   EXPECT_NEAR(m->psnr_srgb_db, 20 * std::log10(255.0 / 51), 1e-12);
   EXPECT_NEAR(m->rmse_srgb, 0.735357 - 0.537099, 2e-6);

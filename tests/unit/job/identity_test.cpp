@@ -21,6 +21,10 @@ TEST(Identity, IsOfAllThatPixelsDependOn) {
   with([](auto& o) { o.tile_size = 32; });
   with([](auto& o) { o.anti_aliasing.method = 1; });
   with([](auto& o) { o.anti_aliasing.method = 2; });
+  with([](auto& o) { o.anti_aliasing.method = 3; });
+  with([](auto& o) { o.anti_aliasing.samples.least = 2; });
+  with([](auto& o) { o.anti_aliasing.samples.most = 2; });
+  with([](auto& o) { o.anti_aliasing.samples.error = 0.25; });
   with([](auto& o) { o.anti_aliasing.depth = 4; });
   with([](auto& o) { o.anti_aliasing.threshold = 0.30000000000000004; });
   with([](auto& o) { o.anti_aliasing.jitter = 1; });
@@ -29,7 +33,7 @@ TEST(Identity, IsOfAllThatPixelsDependOn) {
   with([](auto& o) { o.spectral_output = true; });
   with([](auto& o) { o.check_finite = !o.check_finite; });
   with([](auto& o) { o.max_trace_level = 5; });
-  EXPECT_EQ(seen.size(), 16u);
+  EXPECT_EQ(seen.size(), 20u);
 }
 
 TEST(Identity, IsTheSameForAnyThreads) {

@@ -30,6 +30,22 @@ TEST(Settings, SpectralBlock) {
   EXPECT_EQ(b.spectral.high_nm, 780);
 }
 
+TEST(Settings, SamplesOfAPixel) {
+  auto const of = [](std::string const& words) {
+    return *scene_of("global_settings { samples " + words + " }").settings.samples;
+  };
+  EXPECT_EQ(of("16").least, 16);
+  EXPECT_EQ(of("16").most, 16);
+  EXPECT_EQ(of("4, 64").least, 4);
+  EXPECT_EQ(of("4 8*8").most, 64);
+  EXPECT_EQ(of("4, 64").error, scene::SampleSettings::default_error);
+  EXPECT_EQ(of("4, 64 error 1/100").error, 0.01);
+  EXPECT_FALSE(scene_of("global_settings { }").settings.samples);
+  EXPECT_EQ(codes("global_settings { samples 8, 4 }"), "E0353");
+  EXPECT_EQ(codes("global_settings { samples 1, 4 error 2 }"), "E0353");
+  EXPECT_EQ(codes("global_settings { samples 0 }"), "E0352");
+}
+
 TEST(Settings, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("global_settings { spectral { range 700, 400 } }"), "E0416");
   EXPECT_EQ(codes("global_settings { spectral { spacing boundaries { 500, 400 } } }"), "E0416");

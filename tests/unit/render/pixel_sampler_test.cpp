@@ -71,10 +71,10 @@ struct Sampling {
 };
 
 AntiAliasing grid(int depth, double jitter = 0) {
-  return {1, depth, 0.3, jitter, true};
+  return {1, depth, 0.3, jitter, true, {}};
 }
 AntiAliasing corners(int depth, double threshold = 0.3) {
-  return {2, depth, threshold, 0, true};
+  return {2, depth, threshold, 0, true, {}};
 }
 
 TEST(PixelSampler, CentresAreTheMiddles) {

@@ -65,6 +65,13 @@ TEST(Strips, OfAntiAliasingBothMethods) {
   }
 }
 
+/// Method 3 looks at the pixels around one.
+TEST(Strips, OfSamples) {
+  expect_same_in_strips(AntiAliasing::of({1, 16, 0.05}), false);
+  expect_same_in_strips(AntiAliasing::of({3, 20, 0.02}), true);
+  expect_same_in_strips(AntiAliasing::of({5, 5}), false);
+}
+
 /// Leaving in the middle: nothing more is asked for.
 TEST(Strips, EndWhenNobodyTakesThem) {
   auto const scene = table(none(), false);
