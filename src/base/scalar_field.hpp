@@ -50,6 +50,9 @@ public:
   virtual int side_by_side() const { return 1; }
   /// Do enclosures of slopes shrink with the piece? Not where the field has steps or noise in it.
   virtual bool smooth() const = 0;
+  /// Is it a number everywhere, as far as is known? Else enclosures hold what is one, and pieces
+  /// may have parts where it is none.
+  virtual bool total() const { return false; }
   /// Not of unit length.
   virtual Vec3 gradient(Vec3 const& point) const = 0;
 };

@@ -134,7 +134,8 @@ public:
   Search(FieldLine const& line, double low, double high, std::vector<FieldRoot>& roots)
       : line_(line),
         length_(high - low),
-        shares_(line.field.side_by_side() > 1 ? most : 2),
+        shares_(std::max(2, line.field.side_by_side())),
+        total_(line.field.total()),
         roots_(roots),
         side_(line.side(low)) {}
 
@@ -206,12 +207,14 @@ private:
     double const reach = slope.size() * ((high - low) * 0.5) * (1 + 0x1p-48);
     if (over > reach) return Sight::Above;
     if (under > reach) return Sight::Below;
-    double const middle = 0.5 * low + 0.5 * high, wide = high - low;
-    double const grain =
-        unit_roundoff * std::max({std::fabs(low), std::fabs(high), 0x1p-20 * length_});
-    bool const narrow = !(low < middle && middle < high) || wide <= 4 * grain;
     bool const monotone = !slope.holds(0);
-    if (monotone || narrow || wide <= coarse()) return Sight::Settled;
+    if (monotone || narrow(low, high) || high - low <= coarse()) return Sight::Settled;
+    // Nowhere a number, as far as can be seen.
+    auto const undefined = [&](double t) {
+      return std::isnan(line_.field.value(line_.origin + t * line_.direction));
+    };
+    if (std::isnan(pieces_.middle_low[i]) && !total_ && undefined(low) && undefined(high))
+      return Sight::Settled;
     // As close to the level all along as rounding can tell: a graze, or a line along a flat face.
     // Sides say nothing there, but for those at the ends.
     auto const hidden = [&](double t) { return at(line_, t).value.holds(0); };
@@ -220,6 +223,12 @@ private:
     return all ? Sight::Settled : Sight::Open;
   }
 
+  bool narrow(double low, double high) const {
+    double const middle = 0.5 * low + 0.5 * high;
+    double const grain =
+        unit_roundoff * std::max({std::fabs(low), std::fabs(high), 0x1p-20 * length_});
+    return !(low < middle && middle < high) || high - low <= 4 * grain;
+  }
   /// Parts as wide as this are not divided any more.
   double coarse() const {
     double const usual = line_.field.smooth() ? 0 : line_.resolution;
@@ -231,9 +240,14 @@ private:
   /// Goes over a part that is not open. @return false: there are roots enough
   bool pass(Part const& part) {
     if (part.sight != Part::Sight::Settled) {
-      int const side = part.sight == Part::Sight::Above ? 1 : -1;
-      // A step just where two parts meet.
-      return side == side_ || take(part.low, part.low, side);
+      int const sign = part.sight == Part::Sight::Above ? 1 : -1;
+      if (total_) return sign == side_ || take(part.low, part.low, sign); // a step where parts meet
+      // What is no number counts as above, and is not in the enclosure.
+      if (line_.side(part.high) == side_) return true;
+      if (!narrow(part.low, part.high)) {
+        waiting_[count_++] = {part.low, part.high, Part::Sight::Open};
+        return true;
+      }
     }
     int const side = line_.side(part.high);
     return side == side_ || take(part.low, part.high, side);
@@ -249,6 +263,7 @@ private:
   FieldLine const& line_;
   double const length_;
   int const shares_; ///< into how many a part is divided
+  bool const total_;
   std::vector<FieldRoot>& roots_;
   int side_; ///< at the end of what has been passed
   std::size_t looked_at_ = 0, count_ = 0;

@@ -2,8 +2,10 @@
 #include "lang/function_field.hpp"
 
 #include "lang/block_function.hpp"
-#include "lang/dual_interval.hpp"
+#include "lang/dual_logic.hpp"
+#include "lang/function_tape.hpp"
 #include "lang/multifractal.hpp"
+#include "texture/noise_bounds.hpp"
 #include "texture/pattern.hpp"
 
 #include <algorithm>
@@ -19,47 +21,6 @@ using Kind = Node::Kind;
 constexpr double eps = 1e-10; ///< that of the ends of sums, as in function.cpp
 
 Interval const everything = Interval::everything();
-
-enum class Truth { No, Yes, Open };
-
-Dual of(Truth truth) {
-  if (truth == Truth::Open) return {{0, 1}, everything};
-  return {truth == Truth::Yes ? 1.0 : 0.0, Interval(0)};
-}
-Truth truth(bool never, bool always) {
-  return always ? Truth::Yes : never ? Truth::No : Truth::Open;
-}
-Truth is_set(Interval const& x) {
-  return truth(x.size() == 0, x.low > 0 || x.high < 0);
-}
-Truth less(Interval const& a, Interval const& b) {
-  return truth(a.low >= b.high, a.high < b.low);
-}
-/// a <= b
-Truth less_equal(Interval const& a, Interval const& b) {
-  return truth(a.low > b.high, a.high <= b.low);
-}
-Truth equal(Interval const& a, Interval const& b) {
-  return truth(a.low > b.high || b.low > a.high, a.high <= b.low && b.high <= a.low);
-}
-Truth both(Truth a, Truth b) {
-  return truth(a == Truth::No || b == Truth::No, a == Truth::Yes && b == Truth::Yes);
-}
-Truth negated(Truth a) {
-  return a == Truth::Open ? a : (a == Truth::Yes ? Truth::No : Truth::Yes);
-}
-
-/// The value that a block yields at a point, with its rounding.
-Interval at_point(double value) {
-  double const off = 0x1p-44 * (1 + std::fabs(value));
-  return {value - off, value + off};
-}
-
-Dual lesser(Dual const& a, Dual const& b) {
-  if (a.v.high < b.v.low) return a;
-  if (b.v.high < a.v.low) return b;
-  return {{std::min(a.v.low, b.v.low), std::min(a.v.high, b.v.high)}, hull(a.d, b.d)};
-}
 
 /// Evaluates nodes on enclosures; `slots` are the parameters and loop variables.
 struct DualMachine {
@@ -97,21 +58,16 @@ struct DualMachine {
     case Kind::Div:
       return a() / b();
     case Kind::And:
-      return of(both(is_set(a().v), is_set(b().v)));
     case Kind::Or:
-      return of(negated(both(negated(is_set(a().v)), negated(is_set(b().v)))));
     case Kind::Less:
-      return of(less(a().v, b().v));
     case Kind::LessEqual:
-      return of(less_equal(a().v, b().v));
     case Kind::Equal:
-      return of(equal(a().v, b().v));
     case Kind::NotEqual:
-      return of(negated(equal(a().v, b().v)));
     case Kind::GreaterEqual:
-      return of(less_equal(b().v, a().v));
-    case Kind::Greater:
-      return of(less(b().v, a().v));
+    case Kind::Greater: {
+      Interval const first = a().v;
+      return compared(node.kind, first, b().v);
+    }
     case Kind::Negate:
       return -a();
     case Kind::Builtin:
@@ -132,14 +88,20 @@ struct DualMachine {
   static bool fixed(Dual const& x) { return x.v.low == x.v.high; }
 
   static Dual noise(int generator, Dual const& x, Dual const& y, Dual const& z) {
-    double const steep = texture::noise_slope(generator);
-    Vec3 const middle(x.v.middle(), y.v.middle(), z.v.middle());
-    double const reach = x.v.width() + y.v.width() + z.v.width();
-    double const speed = x.d.size() + y.d.size() + z.d.size();
-    double const value = texture::noise(middle, generator);
-    double const off = 0.5 * steep * reach + 0x1p-44; // its own sums, of values below 16
-    Interval const v{std::max(0.0, value - off), std::min(1.0, value + off)};
-    return {v, Interval{-steep * speed, steep * speed}};
+    Dual const* const place[3] = {&x, &y, &z};
+    Vec3 middle, reach;
+    for (int i = 0; i < 3; ++i) {
+      middle[i] = place[i]->v.middle();
+      reach[i] = std::max(place[i]->v.high - middle[i], middle[i] - place[i]->v.low);
+    }
+    if (!std::isfinite(middle.x + middle.y + middle.z)) return {{0, 1}, everything};
+    texture::NoiseBounds const own = texture::noise_about(middle, reach, generator);
+    Interval slope(0);
+    for (int i = 0; i < 3; ++i) {
+      bool const still = place[i]->d.low == 0 && place[i]->d.high == 0;
+      if (!still) slope = slope + own.gradient[i] * place[i]->d;
+    }
+    return {own.value, slope};
   }
 
   Dual multifractal(Kind kind) const {
@@ -209,42 +171,61 @@ struct DualMachine {
   }
 
   Dual select(Node const& node) const {
-    Interval const which = operand(node, 0).v;
-    bool const low = which.low<0, zero = which.holds(0), high = which.high> 0;
-    bool const pair = node.b == 3;
-    Dual result;
-    int branches = 0;
-    auto const take = [&](std::uint32_t i) {
-      Dual const branch = operand(node, i);
-      result = branches++ == 0 ? branch : Dual{hull(result.v, branch.v), everything};
-    };
-    if (low) take(1);
-    if (pair ? zero || high : zero) take(2);
-    if (!pair && high) take(3);
-    return branches == 0 ? Dual{everything, everything} : result;
+    return selected(operand(node, 0).v, node.b == 3,
+                    [&](std::uint32_t i) { return operand(node, i); });
   }
 };
 
-bool smooth_function(FunctionValue const& function) {
+/// @param noise is bounded by its cells, as tapes have it
+bool smooth_function(FunctionValue const& function, bool noise) {
   if (function.block) return false;
   for (Node const& node : function.nodes) {
     bool const step = node.kind >= Kind::And && node.kind <= Kind::Greater;
-    bool const jump = node.kind == Kind::Select || node.kind >= Kind::Noise;
+    bool const jump = node.kind == Kind::Select || (!noise && node.kind >= Kind::Noise);
     if (step || jump) return false;
   }
   for (auto const& called : function.called)
-    if (!smooth_function(*called)) return false;
+    if (!smooth_function(*called, noise)) return false;
   return true;
 }
 
 } // namespace
 
 FunctionField::FunctionField(std::shared_ptr<FunctionValue const> function)
-    : function_(std::move(function)), smooth_(smooth_function(*function_)) {}
+    : function_(std::move(function)),
+      tape_(make_tape(*function_)),
+      smooth_(smooth_function(*function_, tape_ != nullptr)) {}
 
 double FunctionField::value(Vec3 const& point) const {
   double const arguments[3] = {point.x, point.y, point.z};
   return evaluate_function(*function_, arguments).c[0];
+}
+
+bool FunctionField::total() const {
+  return tape_ && tape_->total;
+}
+
+int FunctionField::side_by_side() const {
+  if (!tape_ || tape_->blocks) return 1;
+  return tape_->noise ? LinePieces::most / 2 : LinePieces::most;
+}
+
+void FunctionField::along_each(Vec3 const& origin, Vec3 const& direction,
+                               LinePieces& pieces) const {
+  if (!tape_) return ScalarField::along_each(origin, direction, pieces);
+  tape_->tape.along_each(origin, direction, pieces);
+  if (std::isinf(most_slope_)) return;
+  double const speed = most_slope_ * std::sqrt(glm::dot(direction, direction));
+  for (int i = 0; i < pieces.count; ++i) {
+    double const off = 0.5 * (pieces.high[i] - pieces.low[i]) * speed;
+    double const low = std::max(pieces.value_low[i], pieces.middle_low[i] - off);
+    double const high = std::min(pieces.value_high[i], pieces.middle_high[i] + off);
+    if (!(low <= high)) continue; // the slope is steeper than was said
+    pieces.value_low[i] = low;
+    pieces.value_high[i] = high;
+    pieces.slope_low[i] = -speed;
+    pieces.slope_high[i] = speed;
+  }
 }
 
 ScalarField::Along FunctionField::along(Vec3 const& origin, Vec3 const& direction,
@@ -266,6 +247,14 @@ ScalarField::Along FunctionField::enclosure(Vec3 const& origin, Vec3 const& dire
   if (function_->block) {
     if (part.low == part.high) return {at_point(value(origin + part.low * direction)), everything};
     return {{function_->least, function_->most}, everything};
+  }
+  if (tape_) {
+    LinePieces one;
+    one.count = 1;
+    one.low[0] = part.low;
+    one.high[0] = part.high;
+    tape_->tape.along_each(origin, direction, one);
+    return {{one.value_low[0], one.value_high[0]}, {one.slope_low[0], one.slope_high[0]}};
   }
   std::array<Dual, 16> few;
   std::vector<Dual> many;

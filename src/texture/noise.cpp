@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simd/native.hpp"
 #include "texture/lattice.hpp"
+#include "texture/noise_bounds.hpp"
 #include "texture/noise_tables.hpp"
 #include "texture/pattern.hpp"
 
@@ -126,35 +127,150 @@ double noise(Vec3 const& point, int generator) {
   }
 }
 
-double noise_slope(int generator) {
-  // A corner's share changes by 1.5 at most along an axis, from one corner's value to another's;
-  // the values themselves change by their gradients.
-  static double const lattice = [] {
+namespace {
+
+/// How much the value at a corner of a cell, and a component of its gradient, may be.
+struct Steepest {
+  double value, gradient;
+};
+Steepest steepest(int generator) {
+  static Steepest const lattice = [] {
     auto const& g = noise_tables().gradient;
-    double most = 0, steep = 0;
+    Steepest out{0, 0};
     for (std::size_t m = 0; m + 3 < std::size(g); ++m) {
-      double const slope =
-          std::max(std::abs(g[m + 1]), std::max(std::abs(g[m + 2]), std::abs(g[m + 3])));
-      most = std::max(most, 0.5 * std::abs(g[m]) + std::abs(g[m + 1]) + std::abs(g[m + 2])
-                                + std::abs(g[m + 3]));
-      steep = std::max(steep, slope);
+      double const sum = std::abs(g[m + 1]) + std::abs(g[m + 2]) + std::abs(g[m + 3]);
+      out.value = std::max(out.value, 0.5 * std::abs(g[m]) + sum);
+      for (int k = 1; k < 4; ++k) out.gradient = std::max(out.gradient, std::abs(g[m + k]));
     }
-    return 1.5 * 2 * most + steep;
+    return out;
   }();
-  static double const gradient = [] {
+  static Steepest const gradient = [] {
     double most = 0;
     for (Vec3 const& g : gradient_noise_tables().gradient)
       most = std::max(most, std::abs(g.x) + std::abs(g.y) + std::abs(g.z));
-    return 1.5 * 2 * most + most;
+    return Steepest{most, most};
   }();
+  return generator == 3 ? gradient : lattice;
+}
+
+/// noise() is (what the corners make + shift) scale, kept within 0 and 1.
+struct Range {
+  double shift, scale;
+};
+Range range_of(int generator) {
   switch (generator) {
   case 1:
-    return lattice;
+    return {0.5, 1};
   case 3:
-    return 0.5 * 1.59 * gradient;
+    return {0.985 / 1.59, 0.5 * 1.59};
   default:
-    return 0.48985582 * lattice;
+    return {1.05242, 0.48985582};
   }
+}
+
+/// A cell's corners, x the slowest: the value that each makes of the point, and its gradient.
+struct Cell {
+  double value[8];
+  Vec3 gradient[8];
+  Vec3 offset; ///< of the point
+};
+Cell cell_about(Vec3 const& point, int generator) {
+  Cell out;
+  if (generator == 3) {
+    GradientNoiseTables const& tables = gradient_noise_tables();
+    Vec3 const shifted = point + 10000000.023157213;
+    int const x = wrapped_floor(shifted.x, 2047);
+    int const y = wrapped_floor(shifted.y, 2047);
+    int const z = wrapped_floor(shifted.z, 2047);
+    out.offset = shifted - glm::floor(shifted);
+    for (int corner = 0; corner < 8; ++corner) {
+      int const dx = corner >> 2, dy = (corner >> 1) & 1, dz = corner & 1;
+      int const hash = tables.permutation[(x + dx) & 2047];
+      Vec3 const& g = tables.gradient[(tables.permutation[hash + y + dy] + z + dz) & 4095];
+      out.gradient[corner] = g;
+      out.value[corner] = glm::dot(g, out.offset - Vec3(dx, dy, dz));
+    }
+    return out;
+  }
+  NoiseTables const& tables = noise_tables();
+  Corners corners;
+  find_corners(tables, point, corners);
+  out.offset = corners.offset;
+  for (int corner = 0; corner < 8; ++corner) {
+    double const* const g = &tables.gradient[corners.row[corner]];
+    double const* const place = corner_places[corner];
+    out.gradient[corner] = {g[1], g[2], g[3]};
+    out.value[corner] = 0.5 * g[0] + g[1] * (out.offset.x - place[1])
+                        + g[2] * (out.offset.y - place[2]) + g[3] * (out.offset.z - place[3]);
+  }
+  return out;
+}
+
+/// By how much the second derivatives change the gradient in a box: value and gradient of the
+/// corners differ by `values` and `slopes`.
+Vec3 bend(double values, Vec3 const& slopes, Vec3 const& reach) {
+  // s'' is within 6, s' within 1.5; s is the share of a corner's neighbour along an axis.
+  Vec3 out;
+  for (int i = 0; i < 3; ++i) {
+    out[i] = (6 * values + 3 * slopes[i]) * reach[i];
+    for (int k = 0; k < 3; ++k)
+      if (k != i) out[i] += (4.5 * values + 1.5 * (slopes[i] + slopes[k])) * reach[k];
+  }
+  return out;
+}
+
+} // namespace
+
+NoiseBounds noise_about(Vec3 const& middle, Vec3 const& reach, int generator) {
+  Cell const cell = cell_about(middle, generator);
+  Vec3 const f = cell.offset, s(s_curve(f.x), s_curve(f.y), s_curve(f.z));
+  Vec3 const rate = 6.0 * f * (1.0 - f);
+  double value = 0, least = cell.value[0], most = least;
+  Vec3 slope(0), low = cell.gradient[0], high = low;
+  for (int corner = 0; corner < 8; ++corner) {
+    double const x = corner & 4 ? s.x : 1 - s.x, y = corner & 2 ? s.y : 1 - s.y,
+                 z = corner & 1 ? s.z : 1 - s.z;
+    double const own = cell.value[corner], weight = x * y * z;
+    Vec3 const& g = cell.gradient[corner];
+    value += weight * own;
+    slope += weight * g;
+    slope.x += (corner & 4 ? rate.x : -rate.x) * y * z * own;
+    slope.y += (corner & 2 ? rate.y : -rate.y) * x * z * own;
+    slope.z += (corner & 1 ? rate.z : -rate.z) * x * y * own;
+    least = std::min(least, own);
+    most = std::max(most, own);
+    low = glm::min(low, g);
+    high = glm::max(high, g);
+  }
+  Steepest const any = steepest(generator);
+  bool const one_cell = glm::all(glm::lessThanEqual(reach, glm::min(f, 1.0 - f)));
+  Vec3 const sizes = glm::max(glm::abs(low), glm::abs(high));
+  Vec3 const bent = one_cell ? bend(most - least + 2 * glm::dot(sizes, reach), high - low, reach)
+                             : bend(2 * any.value, Vec3(2 * any.gradient), reach);
+  Range const range = range_of(generator);
+  double const steep = noise_slope(generator);
+  NoiseBounds out;
+  double off = 0x1p-44;
+  for (int i = 0; i < 3; ++i) {
+    double const own = slope[i] * range.scale, by = bent[i] * range.scale * (1 + 0x1p-40) + 0x1p-40;
+    out.gradient[i] = by < 2 * steep
+                          ? Interval{std::max(own - by, -steep), std::min(own + by, steep)}
+                          : Interval{-steep, steep};
+    off += out.gradient[i].size() * reach[i];
+  }
+  double const raw = (value + range.shift) * range.scale;
+  out.at = clamp01(raw);
+  out.value = {clamp01(raw - off), clamp01(raw + off)};
+  if (!(raw - off > 0 && raw + off < 1))
+    for (Interval& g : out.gradient) g = hull(g, Interval(0));
+  return out;
+}
+
+double noise_slope(int generator) {
+  // A corner's share changes by 1.5 at most along an axis, from one corner's value to another's;
+  // the values themselves change by their gradients.
+  Steepest const most = steepest(generator);
+  return range_of(generator).scale * (1.5 * 2 * most.value + most.gradient);
 }
 
 Vec3 vector_noise(Vec3 const& point) {

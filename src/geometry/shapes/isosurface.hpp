@@ -13,7 +13,7 @@ radius } }] [threshold t] [accuracy a] [open] ... } The points of the container 
 x, y and z is at most the threshold. Where the container cuts them there is a surface, unless it is
 `open`. Roots are found by interval arithmetic on the function itself, so none is missed and no
 gradient needs to be known: `max_gradient`, `evaluate`, `max_trace` and `all_intersections` are
-accepted and have no effect. `accuracy` counts only where the function has noise or steps in it:
+accepted and have no effect. `accuracy` counts only where the function has steps or patterns in it:
 sides that change and change back within it may go unseen.
 
 | name | type | unit | default | range |

@@ -58,6 +58,7 @@ public:
   void along_each(Vec3 const& origin, Vec3 const& direction, LinePieces& pieces) const override;
   int side_by_side() const override { return polynomial() ? LinePieces::most : 1; }
   bool smooth() const override;
+  bool total() const override { return true; }
   Vec3 gradient(Vec3 const& point) const override;
 
 private:

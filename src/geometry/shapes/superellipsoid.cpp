@@ -36,6 +36,7 @@ public:
     return joined(joined(v.x, v.y, p_), v.z, q_);
   }
   bool smooth() const override { return true; }
+  bool total() const override { return true; }
   Vec3 gradient(Vec3 const& point) const override;
   Along along(Vec3 const& origin, Vec3 const& direction, Interval const& part) const override {
     Interval v[3];

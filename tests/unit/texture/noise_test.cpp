@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "texture/noise_bounds.hpp"
 #include "texture/noise_tables.hpp"
 #include "texture/pattern.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace abbe::texture {
 namespace {
@@ -82,6 +84,43 @@ TEST(Noise, IsDefinedAndBoundedForEveryDouble) {
       double const n = noise(Vec3(v, 0.3, -v), generator);
       EXPECT_GE(n, 0) << v;
       EXPECT_LE(n, 1) << v;
+    }
+}
+
+/// Boxes of all sizes, in one cell of the lattice and over several.
+TEST(Noise, BoundsHoldValuesAndGradientsOfABox) {
+  std::mt19937 engine(7);
+  auto const number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  for (int generator = 1; generator <= 3; ++generator) {
+    for (int round = 0; round < 2000; ++round) {
+      Vec3 const middle(number(-3, 3), number(-3, 3), number(-3, 3));
+      Vec3 const reach = std::exp2(-number(0, 12)) * Vec3(number(0, 1), number(0, 1), number(0, 1));
+      NoiseBounds const box = noise_about(middle, reach, generator);
+      EXPECT_NEAR(box.at, noise(middle, generator), 1e-14);
+      for (int k = 0; k < 8; ++k) {
+        Vec3 const at = middle + reach * Vec3(number(-1, 1), number(-1, 1), number(-1, 1));
+        double const value = noise(at, generator);
+        EXPECT_LE(box.value.low, value);
+        EXPECT_GE(box.value.high, value);
+        for (int axis = 0; axis < 3; ++axis) {
+          Vec3 step(0);
+          step[axis] = 1e-6;
+          double const slope = (noise(at + step, generator) - noise(at - step, generator)) / 2e-6;
+          EXPECT_LE(box.gradient[axis].low, slope + 1e-4);
+          EXPECT_GE(box.gradient[axis].high, slope - 1e-4);
+        }
+      }
+    }
+  }
+}
+
+TEST(Noise, BoundsShrinkWithTheBox) {
+  for (int generator = 1; generator <= 3; ++generator)
+    for (double const reach : {1e-2, 1e-3, 1e-4}) {
+      NoiseBounds const box = noise_about(p, Vec3(reach), generator);
+      for (Interval const& g : box.gradient) EXPECT_LT(g.width(), 200 * reach) << generator;
     }
 }
 
