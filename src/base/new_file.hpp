@@ -7,7 +7,8 @@
 namespace abbe {
 
 /// A file that nobody had before, open for reading and writing: its name cannot be foretold, and no
-/// link is followed.
+/// link is followed. It is locked as long as it is open: what a killed process left of the same
+/// target is not, and is removed.
 struct NewFile {
   int descriptor = -1; ///< -1: errno says why there is none
   std::filesystem::path path;

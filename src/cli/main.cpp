@@ -6,17 +6,40 @@
 #include "cli/limits.hpp"
 #include "cli/say.hpp"
 #include "cli/scene_arguments.hpp"
+#include "image/atomic_file.hpp"
 
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 
 namespace {
+
+/// Memory that runs out where nothing can catch it (before main(), in what must not throw) ends the
+/// program with the error that main() gives, and no core file.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (std::exception_ptr const thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (std::bad_alloc const&) {
+    constexpr std::string_view text = "abbe: error[E0706]: out of memory\n";
+    [[maybe_unused]] ssize_t const put = ::write(STDERR_FILENO, text.data(), text.size());
+    abbe::image::remove_unfinished();
+    ::_exit(1);
+  } catch (...) { // a bug
+  }
+  std::abort();
+}
+/// Before all other objects.
+struct SetEnd {
+  SetEnd() { std::set_terminate(end_uncaught); }
+};
+[[gnu::init_priority(101)]] SetEnd const set_end;
 
 struct Command {
   std::string_view name;

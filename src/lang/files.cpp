@@ -32,8 +32,10 @@ std::error_code write_whole(fs::path const& path, std::string const& text) {
     if (put > 0) left.remove_prefix(static_cast<std::size_t>(put));
     if (put < 0 && errno != EINTR) reason = errno;
   }
+  int const held = ::dup(unfinished.descriptor); // its lock, until it has its name
   if (::close(unfinished.descriptor) != 0 && reason == 0) reason = errno;
   if (reason == 0) fs::rename(unfinished.path, path, failed);
+  if (held >= 0) ::close(held);
   if (reason == 0 && !failed) return {};
   if (reason != 0) failed.assign(reason, std::generic_category());
   std::error_code ignored;

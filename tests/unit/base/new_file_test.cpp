@@ -51,6 +51,25 @@ TEST_F(NewFiles, HaveTheModeOfWhatTheyReplace) {
   close(other.descriptor);
 }
 
+/// A killed process leaves its file without its lock.
+TEST_F(NewFiles, TakeAwayWhatKilledOnesOfTheSameTargetLeft) {
+  auto const killed = make_file_beside(folder / "a.png"),
+             other = make_file_beside(folder / "b.png"),
+             working = make_file_beside(folder / "a.png");
+  close(killed.descriptor);
+  close(other.descriptor);
+  fs::path const foreign = folder / ".a.png.backup.tmp",
+                 longer = folder / ".a.png.0123456789abcdefg.tmp";
+  std::ofstream(foreign) << "x";
+  std::ofstream(longer) << "x";
+  auto const next = make_file_beside(folder / "a.png");
+  EXPECT_FALSE(fs::exists(killed.path));
+  for (fs::path const& kept : {other.path, working.path, foreign, longer, next.path})
+    EXPECT_TRUE(fs::exists(kept)) << kept;
+  close(working.descriptor);
+  close(next.descriptor);
+}
+
 TEST_F(NewFiles, CannotBeWhereThereIsNoFolder) {
   EXPECT_LT(make_file_beside(folder / "no" / "file").descriptor, 0);
 }
