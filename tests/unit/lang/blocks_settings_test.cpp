@@ -43,7 +43,7 @@ TEST(Settings, SamplesOfAPixel) {
   EXPECT_FALSE(scene_of("global_settings { }").settings.samples);
   EXPECT_EQ(codes("global_settings { samples 8, 4 }"), "E0353");
   EXPECT_EQ(codes("global_settings { samples 1, 4 error 2 }"), "E0353");
-  EXPECT_EQ(codes("global_settings { samples 0 }"), "E0352");
+  EXPECT_EQ(codes("global_settings { samples 0 }"), "E0304");
 }
 
 TEST(Settings, MistakesAreNamedOnce) {

@@ -130,7 +130,7 @@ TEST(Samples, ThreadsTilesAndStripsDoNotMatter) {
 /// bands.
 TEST(Samples, OfWavelengthsAreWithoutBias) {
   auto options = small();
-  options.anti_aliasing = AntiAliasing::of({64, 64});
+  options.anti_aliasing = AntiAliasing::of({16, 16});
   auto const fine = picture(wedge(n_sf11(), deterministic(), 450), options);
   options.anti_aliasing = AntiAliasing::of({4, 4});
   optics::Comb comb;
