@@ -126,7 +126,10 @@ bool inherit_flag(std::optional<bool>& own, bool from_parent) {
 
 Inherited inherit(Object& object, Inherited const& from) {
   Inherited to;
-  if (!object.interior) object.interior = from.interior;
+  if (!object.interior)
+    object.interior = from.interior;
+  else if (object.interior == from.interior && !object.interior->glass) // a copy, as in POV-Ray
+    object.interior = std::make_shared<scene::Interior>(*object.interior);
   if (!object.hollow) object.hollow = from.hollow;
   to.interior = object.interior;
   to.hollow = object.hollow;

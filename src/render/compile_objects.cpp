@@ -6,6 +6,7 @@
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/world_builder.hpp"
 #include "render/finish_numbers.hpp"
+#include "render/interior_numbers.hpp"
 #include "render/normal_compiler.hpp"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ using scene::Object;
 struct Piece {
   CsgTree tree;
   std::shared_ptr<scene::Interior const> interior;
+  InteriorNumbers::Number number; ///< of its interior
   std::uint8_t mask = 0;
   std::uint16_t light_group = 0;
   bool hollow = false; ///< all of it
@@ -46,6 +48,7 @@ public:
     stage_.textures.surfaces.reserve(primitives);
     std::size_t const objects = scene_.objects.size();
     stage_.solids.reserve(objects);
+    for (Object const& object : scene_.objects) numbers_.read(object);
     auto left_out = plan_.out_of_reach.begin();
     for (std::size_t i = 0; i < objects; ++i) {
       if (left_out != plan_.out_of_reach.end() && *left_out == i)
@@ -85,17 +88,18 @@ private:
       solid.medium = media_.add(piece.interior);
       solid.priority = piece.interior->priority;
     }
-    if (solid.counts()) {
+    if (solid.counts() || piece.number.counts()) {
       solid.leaks = leaks(piece.tree);
+      stage_.has_leaks = stage_.has_leaks || solid.leaks;
       bool const alone = piece.tree.op == CsgTree::Op::Primitive;
       auto const boundary =
           alone ? world_.shape(piece.tree.primitive).boundary() : geometry::Boundary::Whole;
       solid.sheet = boundary == geometry::Boundary::Sheet;
       solid.open = boundary != geometry::Boundary::Whole || piece.tree.op == CsgTree::Op::Clip;
       stage_.has_priorities = stage_.has_priorities || solid.priority != 0;
-      stage_.has_leaks = stage_.has_leaks || solid.leaks;
+      numbers_.settle(piece.number, piece.tree, solid);
     }
-    bool const refracts = stage_.media[static_cast<std::size_t>(solid.medium)].refracts();
+    bool const refracts = numbers_.refracts(piece.tree, solid);
     stage_.solids.push_back(solid);
     if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
     world_.add({std::move(piece.tree), piece.mask, refracts});
@@ -116,6 +120,7 @@ private:
   /// has its texture, interior and flags.
   std::vector<Piece> pieces(Object const& object) {
     std::vector<Piece> out;
+    auto const around = numbers_.begin(object);
     switch (object.kind) {
     case Object::Kind::Shape:
       out.push_back(primitive(object));
@@ -142,6 +147,7 @@ private:
     if (object.inverse)
       for (auto& piece : out) piece.tree.inverse = !piece.tree.inverse;
     clip(object, out);
+    numbers_.end(around);
     return out;
   }
 
@@ -158,6 +164,7 @@ private:
     out.tree.op = op;
     out.hollow = true;
     if (!parts.empty()) out.light_group = parts.front().light_group;
+    out.number = numbers_.joined(parts);
     for (auto& part : parts) {
       if (!out.interior) out.interior = part.interior;
       out.mask |= part.mask;
@@ -220,6 +227,7 @@ private:
   void clip(Object const& object, std::vector<Piece>& out) {
     if (object.clipped_by.empty()) return;
     for (auto& piece : out) {
+      numbers_.share(piece.number);
       Piece clipped = piece;
       clipped.tree = {};
       clipped.tree.op = CsgTree::Op::Clip;
@@ -250,6 +258,7 @@ private:
     if (!gathers) std::erase_if(surface.layers, [&](int number) { return invisible(number); });
     stage_.textures.surfaces.add(std::move(surface), object);
     piece.interior = object.interior;
+    piece.number = numbers_.of_shape(object, piece.opaque);
     piece.light_group = object.light_group;
     piece.hollow = object.hollow.value_or(false);
     bool const image = !object.no_image.value_or(false);
@@ -401,6 +410,7 @@ private:
   Transform to_stage_ = Transform::translation(-scene_.camera.location);
   geometry::WorldBuilder world_;
   FinishNumbers finishes_;
+  InteriorNumbers numbers_{stage_, media_};
   NormalCompiler normals_{stage_.textures};
   NumberTable plain_layers_; ///< by numbers of pigment and finish
   scene::SharedLayers latest_;

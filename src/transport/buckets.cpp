@@ -30,7 +30,7 @@ std::weak_ordering compare(HitGroup const& a, HitGroup const& b) {
 }
 
 auto tied(BucketKey const& k) {
-  return std::tie(k.kind, k.surface, k.before, k.after, k.entering, k.moves);
+  return std::tie(k.kind, k.surface, k.before, k.after, k.entering, k.left);
 }
 
 bool same(BucketKey const& a, BucketKey const& b, geometry::Groups const& groups) {
@@ -45,7 +45,7 @@ std::uint64_t hash(BucketKey const& k) {
   std::uint64_t word =
       static_cast<std::uint64_t>(static_cast<std::uint32_t>(k.surface)) << 32
       | static_cast<std::uint64_t>(k.before) << 18 | static_cast<std::uint64_t>(k.after) << 4
-      | static_cast<std::uint64_t>(k.kind) << 2 | (k.entering ? 2U : 0U) | (k.moves ? 1U : 0U);
+      | static_cast<std::uint64_t>(k.kind) << 2 | (k.entering ? 2U : 0U) | (k.left != 0 ? 1U : 0U);
   word *= 0x9e3779b97f4a7c15U;
   return word >> 32;
 }

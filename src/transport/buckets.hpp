@@ -20,7 +20,7 @@ struct BucketKey {
   };
   Kind kind = Kind::Nothing;
   bool entering = false;
-  bool moves = false;                 ///< leaves or enters a medium
+  std::int32_t left = 0;              ///< medium whose light fades here, having been left; 0: none
   std::int32_t surface = 0;           ///< class (surface_class)
   std::int32_t before = 0, after = 0; ///< media
   std::uint32_t number = 0;

@@ -11,7 +11,8 @@
 namespace abbe::transport {
 
 /// What rays are inside of: the solids with an interior, and with fog those that shut it out; the
-/// last entered first. Each such list has a number, and equal lists have the same.
+/// last entered first. Interiors that surfaces share (Stage::interiors) stand in the list in place
+/// of solids. Each such list has a number, and equal lists have the same.
 class MediaStacks {
 public:
   using Id = std::uint32_t;
@@ -19,42 +20,68 @@ public:
 
   explicit MediaStacks(Stage const& stage);
 
-  Id entered(Id stack, geometry::SolidId solid);
-  Id without(Id stack, geometry::SolidId solid);
+  /// What a list has: a solid, or a shared interior.
+  using Inside = std::uint32_t;
+  static constexpr Inside shared = Inside{1} << 31;
+
+  Id entered(Id stack, Inside inside);
+  Id without(Id stack, Inside inside);
+  /// Of a point that stands in the solid.
+  Id stood_in(Id stack, geometry::SolidId solid) {
+    CompiledSolid const& own = stage_.solids[solid];
+    if (own.interior >= 0) return entered(stack, shared | static_cast<Inside>(own.interior));
+    return own.by_primitive ? stack : entered(stack, solid);
+  }
   /// Behind the surfaces of a hit.
   Id after(Id stack, std::span<geometry::SurfaceCrossing const> crossings);
   /// Behind the surface of one solid.
-  Id after(Id stack, geometry::SolidId solid, bool entering, bool toggles) {
-    CompiledSolid const& own = stage_.solids[solid];
+  Id after(Id stack, geometry::RayHit const& hit) {
+    CompiledSolid const& own = stage_.solids[hit.solid];
     if (!own.counts()) return stack;
-    if (own.open) return after_open(stack, solid);
-    if (!toggles) return stack;
-    return entering ? entered(stack, solid) : without(stack, solid);
+    if (own.by_primitive || own.interior >= 0)
+      return turned(stack, stage_.interior_of(hit.solid, hit.primitive));
+    if (own.open) return after_open(stack, hit.solid);
+    if (!hit.toggles) return stack;
+    return hit.entering ? entered(stack, hit.solid) : without(stack, hit.solid);
   }
   /// The one that counts: of the solid of the highest priority, the last entered.
   int medium(Id stack) const { return nodes_[stack].medium; }
-  /// Does it end or begin in a medium that the other has not?
-  bool moves(Id before, Id after) const { return nodes_[before].media != nodes_[after].media; }
+  /// The medium whose light fades where one list goes over into the other; 0: none. Of plain
+  /// interiors the one that ends, else the one that counted before.
+  int left(Id before, Id after) const;
+  /// Is the medium that counts a plain interior's?
+  bool plain(Id stack) const { return nodes_[stack].plain; }
   /// Is the air, with its fog, there?
   bool in_air(Id stack) const { return !nodes_[stack].shut; }
   /// Of the solid whose medium counts. @pre not none
   int priority(Id stack) const { return nodes_[stack].priority; }
-  /// visit(solid), the last entered first.
+  /// visit(solid), the last entered first, without shared interiors.
   template <class Visit>
-  void each(Id stack, Visit&& visit) const {
-    for (; stack != none; stack = nodes_[stack].below) visit(nodes_[stack].solid);
+  void each_solid(Id stack, Visit&& visit) const {
+    for (; stack != none; stack = nodes_[stack].below)
+      if ((nodes_[stack].inside & shared) == 0) visit(nodes_[stack].inside);
   }
 
 private:
   struct Node {
-    geometry::SolidId solid = 0;
+    Inside inside = 0;
     Id below = none;
     int medium = 0;                                 ///< of the solid whose medium counts
     int priority = std::numeric_limits<int>::min(); ///< of that solid, if there is one
-    Id media = none;   ///< the list without the solids that have no medium
-    bool shut = false; ///< some of them shuts out the air
+    Id media = none;    ///< the list without the solids that have no medium
+    bool shut = false;  ///< some of them shuts out the air
+    bool plain = false; ///< the medium that counts is a plain interior's
   };
   Id after_open(Id stack, geometry::SolidId solid);
+  /// Of a shared interior: entered, or left. @param number -1: nothing changes
+  Id turned(Id stack, std::int32_t number);
+  bool holds(Id stack, Inside inside) const;
+  /// Of solids and interiors alike.
+  struct Kind {
+    bool has_medium, plain, shuts_out_air;
+    int medium, priority;
+  };
+  Kind kind(Inside inside) const;
 
   Stage const& stage_;
   std::vector<Node> nodes_;

@@ -189,7 +189,7 @@ void Shadows::arrive(Rays& rays, Lamp const& lamp, std::size_t k) {
     Way::along(medium, way);
     rest += travelled;
     way.distance = &rest;
-    Way::leave(medium, way);
+    if (!stacks_.plain(stack)) Way::leave(medium, way);
   }
   add_to_film(rays, k);
 }
@@ -213,15 +213,14 @@ bool Shadows::pass(Rays& rays, Lamp const& lamp, std::size_t k, geometry::Groups
   }
   Medium const& medium = stage_.medium(stacks_.medium(before));
   Way::along(medium, way);
-  MediaStacks::Id const after = group != nullptr
-                                    ? stacks_.after(before, group->crossings)
-                                    : stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  MediaStacks::Id const after =
+      group != nullptr ? stacks_.after(before, group->crossings) : stacks_.after(before, hit);
   bool const shown =
       !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after, hit, group);
   double const gone = travelled + t;
-  if (stacks_.medium(after) != stacks_.medium(before)) {
+  if (int const left = shown ? stacks_.left(before, after) : 0; left != 0) {
     way.distance = &gone;
-    Way::leave(medium, way);
+    Way::leave(stage_.medium(left), way);
   }
   if (fields_.travelled) rays.travelled[k] = shown ? 0 : gone;
   std::size_t const n = rays.kind().size();
@@ -230,7 +229,7 @@ bool Shadows::pass(Rays& rays, Lamp const& lamp, std::size_t k, geometry::Groups
     surface::Reader const reader = stage_.reader();
     reader.tint(
         {crossing, inverse, point, {reader.facing(crossing, point, direction), direction, Vec2(0)}},
-        stage_.caustics(crossing.solid), {channels_.data(), static_cast<int>(n), rays.light_of(k)},
+        stage_.caustics(crossing), {channels_.data(), static_cast<int>(n), rays.light_of(k)},
         arena_);
   };
   if (shown && group == nullptr)

@@ -54,6 +54,20 @@ struct CompiledSolid {
   /// inside of and enters what it is not inside of, as in POV-Ray.
   bool open = false;
   bool sheet = false; ///< no point is inside of it unless a ray has entered it
+  /// Of an interior as POV-Ray has it (Stage::interiors): its light fades where its own surface
+  /// ends it, and nowhere else. Medium 0: none was written, in plain interiors it has an index
+  /// of 1.
+  bool plain = false;
+  /// Surfaces enter and leave an interior of this number in place of the solid; -1: they do not.
+  std::int32_t interior = -1;
+  bool by_primitive = false; ///< each primitive's surface that of its own (Stage)
+};
+
+/// An interior that surfaces share, or that they do not enclose. As in POV-Ray, any of its surfaces
+/// enters it where a ray is not inside of it, and leaves it where it is.
+struct SharedInterior {
+  int medium = 0;
+  bool shuts_out_air = false;
 };
 
 /// World mask bits (geometry::visible_to_*): opaque and filtering casters of shadows apart.
@@ -65,6 +79,9 @@ struct Stage {
   std::optional<optics::ChannelSet> spectral; ///< nullopt: r g b
   std::unique_ptr<geometry::World> world;
   std::vector<CompiledSolid> solids; ///< by SolidId
+  std::vector<SharedInterior> interiors;
+  /// Numbers of interiors by PrimitiveId, of solids by_primitive; -1: none.
+  std::vector<std::int32_t> primitive_interiors;
   surface::Textures textures;
   std::vector<Medium> media;                                 ///< [0] is air
   std::vector<std::shared_ptr<optics::Glass const>> glasses; ///< keeps Medium::glass alive
@@ -100,8 +117,18 @@ struct Stage {
 
   surface::Reader reader() const { return {textures, *world}; }
   Medium const& medium(int number) const { return media[static_cast<std::size_t>(number)]; }
+  /// Number of the shared interior that a surface is of; -1: none.
+  std::int32_t interior_of(geometry::SolidId solid, geometry::PrimitiveId primitive) const {
+    CompiledSolid const& own = solids[solid];
+    return own.by_primitive ? primitive_interiors[primitive] : own.interior;
+  }
   /// Of the interior that a surface is of.
-  double caustics(geometry::SolidId solid) const { return medium(solids[solid].medium).caustics; }
+  double caustics(geometry::SurfaceCrossing const& at) const {
+    CompiledSolid const& own = solids[at.solid];
+    if (!own.by_primitive) return medium(own.medium).caustics;
+    std::int32_t const number = primitive_interiors[at.primitive];
+    return number < 0 ? 0 : medium(interiors[static_cast<std::size_t>(number)].medium).caustics;
+  }
   optics::Comb const& comb(int number) const { return combs[static_cast<std::size_t>(number)]; }
   optics::Bands const& bands() const { return spectral->bands; }
   /// Of the spectral film.

@@ -64,7 +64,7 @@ MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
   stage_.world->containing(point, *scratch_, solids);
   for (auto const solid : solids)
     if (stage_.solids[solid].counts() && !stage_.solids[solid].sheet)
-      stack = stacks_.entered(stack, solid);
+      stack = stacks_.stood_in(stack, solid);
   return stack;
 }
 
@@ -256,14 +256,14 @@ void Tracer::arrive(Rays& rays) {
 
 BucketKey Tracer::plain_meeting(MediaStacks::Id before, geometry::RayHit const& hit,
                                 std::size_t k) {
-  MediaStacks::Id const after = stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  MediaStacks::Id const after = stacks_.after(before, hit);
   before_[k] = before;
   after_[k] = after;
   rest_[k] = hits_.t[k];
   BucketKey key;
   key.kind = BucketKey::Kind::Surface;
   key.entering = hit.entering;
-  key.moves = stacks_.moves(before, after);
+  key.left = stacks_.left(before, after);
   key.surface = surface_class(stage_.textures, hit.primitive);
   key.before = stacks_.medium(before);
   key.after = stacks_.medium(after);
@@ -296,12 +296,12 @@ BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
   }
   geometry::HitGroup* const group =
       hit.kind == Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
-  after_[k] = group != nullptr ? stacks_.after(before, group->crossings)
-                               : stacks_.after(before, hit.solid, hit.entering, hit.toggles);
+  after_[k] =
+      group != nullptr ? stacks_.after(before, group->crossings) : stacks_.after(before, hit);
   bool const shown =
       !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after_[k], hit, group);
   key.after = stacks_.medium(after_[k]);
-  key.moves = stacks_.moves(before, after_[k]);
+  key.left = stacks_.left(before, after_[k]);
   if (group != nullptr) {
     key.kind = BucketKey::Kind::Several;
     key.number = hits_.group[k];

@@ -97,7 +97,8 @@ private:
   void escape();
   void pass_on();
   Face face_of(LightKind const& kind) const;
-  void travel(bool moves);
+  /// @param left medium whose light fades at the end of the way; 0: none
+  void travel(int left);
   void pass_air();
   void find_indices();
   Shares split_lanes(Face const& face);

@@ -14,7 +14,7 @@ void Tracer::meet(BucketKey const& key) {
   chunk_.medium_after = key.after;
   bool const displaced = key.kind == BucketKey::Kind::Displaced
                          || (key.kind == BucketKey::Kind::Several && chunk_.crossings.empty());
-  travel(key.moves && !displaced);
+  travel(displaced ? 0 : key.left);
   if (key.kind == BucketKey::Kind::Nothing) return escape();
   if (displaced) return pass_on();
   find_normals();
@@ -46,15 +46,13 @@ void Tracer::pass_air() {
   });
 }
 
-void Tracer::travel(bool moves) {
+void Tracer::travel(int left) {
   if (!stage_.air.empty()) pass_air();
-  Medium const& medium = stage_.medium(chunk_.medium_before);
-  if (medium.segments.empty()) return;
   Passage way{chunk_.count, chunk_.each, chunk_.channels, chunk_rest_.value, chunk_.light, false};
-  Way::along(medium, way);
-  if (!moves) return;
+  Way::along(stage_.medium(chunk_.medium_before), way);
+  if (left == 0) return;
   way.distance = chunk_way_.value;
-  Way::leave(medium, way);
+  Way::leave(stage_.medium(left), way);
 }
 
 void Tracer::escape() {

@@ -30,8 +30,8 @@ Way::End Way::to_last_stop(geometry::Ray const& line, MediaStacks::Id stack, dou
     bool any = false;
     geometry::SolidId left = 0;
     double end = distance;
-    stacks_.each(stack, [&](geometry::SolidId solid) {
-      if (!escapes && !stage_.solids[solid].leaks) return;
+    stacks_.each_solid(stack, [&](geometry::SolidId solid) {
+      if (stage_.solids[solid].plain || (!escapes && !stage_.solids[solid].leaks)) return;
       double const exit = exit_of(stage_.world->bounds(solid), line);
       if (!(exit < end)) return;
       end = exit;

@@ -77,7 +77,9 @@ HeightField::HeightField(HeightGrid grid, Form const& form)
 }
 
 void HeightField::find_bounds() {
-  water_ = std::max((form_.water * 65536 - 32768) * unit_, -32768 * unit_);
+  // Without water all is seen, also what lies at height 0: the bottom is one code below.
+  water_ = std::max((form_.water * 65536 - 32768) * unit_, -32769 * unit_);
+  if (!(form_.water > 0)) water_ = -32769 * unit_;
   bottom_ = form_.deep ? -infinity : water_;
   top_ = y_of(blocks_->levels.back().ranges.front().high);
   bounds_ = {{-middle_x_, water_, -middle_z_}, {middle_x_, top_, middle_z_}, form_.deep};

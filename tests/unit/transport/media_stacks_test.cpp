@@ -31,10 +31,13 @@ Stage solids() {
 
 std::vector<SolidId> list(MediaStacks const& stacks, Id stack) {
   std::vector<SolidId> out;
-  stacks.each(stack, [&](SolidId solid) { out.push_back(solid); });
+  stacks.each_solid(stack, [&](SolidId solid) { out.push_back(solid); });
   return out;
 }
 
+geometry::RayHit hit(SolidId solid, bool entering, bool toggles, std::uint32_t primitive = 0) {
+  return {geometry::RayHit::Kind::Single, entering, toggles, entering, solid, primitive, 0};
+}
 SurfaceCrossing crossing(SolidId solid, bool entering, bool toggles = true) {
   return {solid, 0, 0, 1, entering, toggles};
 }
@@ -53,7 +56,7 @@ TEST(MediaStacks, AnyOrderOfEnteringAndLeavingIsThatOfAList) {
       inside.insert(inside.begin(), solid);
     else if (auto const at = std::find(inside.begin(), inside.end(), solid); at != inside.end())
       inside.erase(at); // the last entered of this solid; if there is none, nothing is left
-    stack = stacks.after(stack, solid, entering, true);
+    stack = stacks.after(stack, hit(solid, entering, true));
     ASSERT_EQ(list(stacks, stack), inside);
     // Equal lists have one number.
     ASSERT_EQ(numbers.try_emplace(inside, stack).first->second, stack);
@@ -76,9 +79,9 @@ TEST(MediaStacks, WhatHasNoMediumOrDoesNotToggleChangesNothing) {
   Stage const stage = solids();
   MediaStacks stacks(stage);
   Id const in = stacks.entered(MediaStacks::none, 2);
-  EXPECT_EQ(stacks.after(in, 6, true, true), in);
-  EXPECT_EQ(stacks.after(in, 1, true, false), in);
-  EXPECT_EQ(stacks.after(in, 2, false, false), in);
+  EXPECT_EQ(stacks.after(in, hit(6, true, true)), in);
+  EXPECT_EQ(stacks.after(in, hit(1, true, false)), in);
+  EXPECT_EQ(stacks.after(in, hit(2, false, false)), in);
   SurfaceCrossing const both[] = {crossing(6, true), crossing(1, true, false)};
   EXPECT_EQ(stacks.after(in, both), in);
 }
@@ -102,12 +105,13 @@ TEST(MediaStacks, OpenSolidsAreEnteredFromOutsideAndLeftFromInside) {
   MediaStacks stacks(stage);
   for (bool const entering : {false, true}) // whichever way a normal points
     for (bool const toggles : {false, true}) {
-      Id const in = stacks.after(MediaStacks::none, 0, entering, toggles);
+      Id const in = stacks.after(MediaStacks::none, hit(0, entering, toggles));
       EXPECT_EQ(list(stacks, in), (std::vector<SolidId>{0}));
-      EXPECT_EQ(stacks.after(in, 0, entering, toggles), MediaStacks::none);
+      EXPECT_EQ(stacks.after(in, hit(0, entering, toggles)), MediaStacks::none);
       // Another of the same medium ends it, one of another does not.
-      EXPECT_EQ(stacks.after(in, 7, entering, toggles), MediaStacks::none);
-      EXPECT_EQ(list(stacks, stacks.after(in, 1, entering, toggles)), (std::vector<SolidId>{1, 0}));
+      EXPECT_EQ(stacks.after(in, hit(7, entering, toggles)), MediaStacks::none);
+      EXPECT_EQ(list(stacks, stacks.after(in, hit(1, entering, toggles))),
+                (std::vector<SolidId>{1, 0}));
     }
 }
 
@@ -135,31 +139,101 @@ TEST(MediaStacks, NumbersStayWhateverIsForgotten) {
   }
 }
 
+/// Solids 0 and 1 with a plain interior each; 2, whose primitives 0, 1, 2 have the interiors 0, 1
+/// and none, and 3, all of interior 0; 4, of a glass; 5, without an interior that was written.
+Stage plain_solids() {
+  Stage stage = solids();
+  for (int k : {0, 1, 2, 3, 5}) stage.solids[k].plain = true;
+  for (auto& solid : stage.solids) solid.priority = 0;
+  stage.interiors = {{3, false}, {4, false}};
+  stage.primitive_interiors = {0, 1, -1};
+  stage.solids[2].by_primitive = true;
+  stage.solids[3].interior = 0;
+  stage.solids[5].medium = 0;
+  return stage;
+}
+
+TEST(MediaStacks, SharedInteriorsAreTurnedByAnyOfTheirSurfaces) {
+  Stage const stage = plain_solids();
+  MediaStacks stacks(stage);
+  for (bool const entering : {false, true}) {
+    Id const first = stacks.after(MediaStacks::none, hit(2, entering, true, 0));
+    EXPECT_EQ(stacks.medium(first), 3);
+    Id const both = stacks.after(first, hit(2, entering, true, 1));
+    EXPECT_EQ(stacks.medium(both), 4);
+    EXPECT_EQ(stacks.after(both, hit(2, entering, true, 2)), both); // it has none
+    // The other solid ends the first one: what was entered later stays and counts.
+    Id const second = stacks.after(both, hit(3, entering, true, 7));
+    EXPECT_EQ(stacks.medium(second), 4);
+    EXPECT_EQ(stacks.left(both, second), 3);
+    EXPECT_EQ(stacks.after(second, hit(2, entering, true, 1)), MediaStacks::none);
+  }
+}
+
+TEST(MediaStacks, SharedSurfacesThatCoincideTurnOnceOrNotAtAll) {
+  Stage const stage = plain_solids();
+  MediaStacks stacks(stage);
+  SurfaceCrossing const twice[] = {crossing(2, true), crossing(3, true)};
+  Id const in = stacks.after(MediaStacks::none, twice);
+  EXPECT_EQ(stacks.medium(in), 3);
+  EXPECT_EQ(stacks.after(in, twice), MediaStacks::none);
+  SurfaceCrossing const through[] = {crossing(2, false), crossing(3, true)};
+  EXPECT_EQ(stacks.after(in, through), in);
+}
+
+TEST(MediaStacks, PlainInteriorsFadeWhereTheyEnd) {
+  Stage const stage = plain_solids();
+  MediaStacks stacks(stage);
+  Id const one = stacks.after(MediaStacks::none, hit(0, true, true));
+  Id const two = stacks.after(one, hit(1, true, true));
+  EXPECT_EQ(stacks.left(MediaStacks::none, one), 0);
+  EXPECT_EQ(stacks.left(one, two), 0); // not where the next begins
+  EXPECT_EQ(stacks.left(two, stacks.after(two, hit(0, false, true))), 1);
+  EXPECT_EQ(stacks.left(two, one), 2);
+  // A glass where it no longer counts.
+  Id const glass = stacks.after(MediaStacks::none, hit(4, true, true));
+  EXPECT_EQ(stacks.left(glass, stacks.after(glass, hit(0, true, true))), 5);
+}
+
+TEST(MediaStacks, WithoutAnInteriorIsOfTheAirInPlainOnesAndNothingInGlass) {
+  Stage const stage = plain_solids();
+  MediaStacks stacks(stage);
+  Id const one = stacks.after(MediaStacks::none, hit(0, true, true));
+  Id const bubble = stacks.after(one, hit(5, true, true));
+  EXPECT_EQ(stacks.medium(bubble), 0);
+  EXPECT_EQ(stacks.left(bubble, one), 0);
+  EXPECT_EQ(stacks.left(one, bubble), 0);
+  EXPECT_EQ(stacks.after(bubble, hit(5, false, true)), one);
+  Id const glass = stacks.after(MediaStacks::none, hit(4, true, true));
+  EXPECT_EQ(stacks.after(glass, hit(5, true, true)), glass);
+}
+
 /// What keeps fog out is kept in mind, and is no medium.
 TEST(MediaStacks, WhatShutsOutTheAirChangesNoMedium) {
   Stage stage = solids();
   stage.solids[6].shuts_out_air = true;
   stage.solids[1].shuts_out_air = true;
   MediaStacks stacks(stage);
-  Id const shut = stacks.after(MediaStacks::none, 6, true, true);
+  Id const shut = stacks.after(MediaStacks::none, hit(6, true, true));
   EXPECT_NE(shut, MediaStacks::none);
   EXPECT_TRUE(stacks.in_air(MediaStacks::none));
   EXPECT_FALSE(stacks.in_air(shut));
-  EXPECT_FALSE(stacks.moves(MediaStacks::none, shut));
   EXPECT_EQ(stacks.medium(shut), 0);
   // In a hollow medium, in either order.
-  Id const hollow = stacks.after(MediaStacks::none, 0, true, true);
-  Id const both = stacks.after(hollow, 6, true, true), turned = stacks.after(shut, 0, true, true);
+  Id const hollow = stacks.after(MediaStacks::none, hit(0, true, true));
+  Id const both = stacks.after(hollow, hit(6, true, true)),
+           turned = stacks.after(shut, hit(0, true, true));
   EXPECT_TRUE(stacks.in_air(hollow));
   for (Id const stack : {both, turned}) {
     EXPECT_FALSE(stacks.in_air(stack));
     EXPECT_EQ(stacks.medium(stack), 1);
-    EXPECT_FALSE(stacks.moves(hollow, stack));
-    EXPECT_TRUE(stacks.moves(shut, stack));
+    EXPECT_EQ(stacks.left(hollow, stack), 0);
+    EXPECT_EQ(stacks.left(stack, hollow), 0);
+    EXPECT_EQ(stacks.left(stack, shut), 1);
   }
-  EXPECT_EQ(stacks.after(both, 6, false, true), hollow);
-  EXPECT_EQ(stacks.after(turned, 0, false, true), shut);
-  EXPECT_FALSE(stacks.in_air(stacks.after(MediaStacks::none, 1, true, true)));
+  EXPECT_EQ(stacks.after(both, hit(6, false, true)), hollow);
+  EXPECT_EQ(stacks.after(turned, hit(0, false, true)), shut);
+  EXPECT_FALSE(stacks.in_air(stacks.after(MediaStacks::none, hit(1, true, true))));
 }
 
 } // namespace
