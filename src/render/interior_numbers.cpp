@@ -75,7 +75,8 @@ void InteriorNumbers::settle(Number number, geometry::CsgTree const& tree,
                              transport::CompiledSolid& solid) {
   if (number.kind == Number::Kind::None || number.kind == Number::Kind::Body) return;
   solid.plain = solid.has_medium = true;
-  if (solid.open || solid.leaks) share(number);
+  solid.open = solid.open || solid.leaks;
+  if (solid.open) share(number);
   solid.interior = number.number;
   solid.by_primitive = number.kind == Number::Kind::Mixed;
   if (!solid.shuts_out_air) return;

@@ -86,7 +86,9 @@ int MediaStacks::left(Id before, Id after) const {
         count += nodes_[list].inside == nodes_[id].inside;
       return count;
     };
-    if (times(before) > times(after)) return own.medium;
+    // Or is in both, of several solids that share it, and a part of the way ends here.
+    int const now = times(before), then = times(after);
+    if (now > then || (now < then && id == before)) return own.medium;
   }
   return nodes_[before].plain ? 0 : nodes_[before].medium;
 }
@@ -105,17 +107,16 @@ MediaStacks::Id MediaStacks::after_open(Id stack, geometry::SolidId solid) {
 
 MediaStacks::Id MediaStacks::after(Id stack, std::span<geometry::SurfaceCrossing const> crossings) {
   auto const shares = [&](geometry::SurfaceCrossing const& crossing) {
-    CompiledSolid const& solid = stage_.solids[crossing.solid];
-    return solid.by_primitive || solid.interior >= 0;
+    return stage_.solids[crossing.solid].turns();
   };
   auto const closed = [&](geometry::SurfaceCrossing const& crossing) {
     CompiledSolid const& solid = stage_.solids[crossing.solid];
     return solid.counts() && !solid.open && !shares(crossing) && crossing.toggles;
   };
   for (auto const& crossing : crossings)
-    if (closed(crossing) && !crossing.entering) stack = without(stack, crossing.solid);
+    if (closed(crossing) && !crossing.entering) stack = without(stack, inside_of(crossing.solid));
   for (auto const& crossing : crossings)
-    if (closed(crossing) && crossing.entering) stack = entered(stack, crossing.solid);
+    if (closed(crossing) && crossing.entering) stack = entered(stack, inside_of(crossing.solid));
   auto const open_medium = [&](geometry::SurfaceCrossing const& crossing) {
     CompiledSolid const& solid = stage_.solids[crossing.solid];
     return solid.has_medium && solid.open && !shares(crossing) ? solid.medium : -1;

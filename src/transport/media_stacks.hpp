@@ -29,8 +29,7 @@ public:
   /// Of a point that stands in the solid.
   Id stood_in(Id stack, geometry::SolidId solid) {
     CompiledSolid const& own = stage_.solids[solid];
-    if (own.interior >= 0) return entered(stack, shared | static_cast<Inside>(own.interior));
-    return own.by_primitive ? stack : entered(stack, solid);
+    return own.by_primitive && own.interior < 0 ? stack : entered(stack, inside_of(solid));
   }
   /// Behind the surfaces of a hit.
   Id after(Id stack, std::span<geometry::SurfaceCrossing const> crossings);
@@ -38,11 +37,11 @@ public:
   Id after(Id stack, geometry::RayHit const& hit) {
     CompiledSolid const& own = stage_.solids[hit.solid];
     if (!own.counts()) return stack;
-    if (own.by_primitive || own.interior >= 0)
-      return turned(stack, stage_.interior_of(hit.solid, hit.primitive));
+    if (own.turns()) return turned(stack, stage_.interior_of(hit.solid, hit.primitive));
     if (own.open) return after_open(stack, hit.solid);
     if (!hit.toggles) return stack;
-    return hit.entering ? entered(stack, hit.solid) : without(stack, hit.solid);
+    return hit.entering ? entered(stack, inside_of(hit.solid))
+                        : without(stack, inside_of(hit.solid));
   }
   /// The one that counts: of the solid of the highest priority, the last entered.
   int medium(Id stack) const { return nodes_[stack].medium; }
@@ -72,6 +71,10 @@ private:
     bool shut = false;  ///< some of them shuts out the air
     bool plain = false; ///< the medium that counts is a plain interior's
   };
+  Inside inside_of(geometry::SolidId solid) const {
+    std::int32_t const number = stage_.solids[solid].interior;
+    return number < 0 ? solid : shared | static_cast<Inside>(number);
+  }
   Id after_open(Id stack, geometry::SolidId solid);
   /// Of a shared interior: entered, or left. @param number -1: nothing changes
   Id turned(Id stack, std::int32_t number);

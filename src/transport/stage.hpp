@@ -61,10 +61,12 @@ struct CompiledSolid {
   /// Surfaces enter and leave an interior of this number in place of the solid; -1: they do not.
   std::int32_t interior = -1;
   bool by_primitive = false; ///< each primitive's surface that of its own (Stage)
+  /// Its surfaces enter the interior from outside and leave it from inside, whichever way.
+  bool turns() const { return by_primitive || (interior >= 0 && open); }
 };
 
-/// An interior that surfaces share, or that they do not enclose. As in POV-Ray, any of its surfaces
-/// enters it where a ray is not inside of it, and leaves it where it is.
+/// An interior that solids share, or that its surfaces do not enclose. Where they do not, any of
+/// its surfaces enters it when a ray is not inside of it and leaves it when it is, as in POV-Ray.
 struct SharedInterior {
   int medium = 0;
   bool shuts_out_air = false;

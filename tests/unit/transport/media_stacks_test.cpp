@@ -149,6 +149,7 @@ Stage plain_solids() {
   stage.primitive_interiors = {0, 1, -1};
   stage.solids[2].by_primitive = true;
   stage.solids[3].interior = 0;
+  stage.solids[3].open = true;
   stage.solids[5].medium = 0;
   return stage;
 }
@@ -179,6 +180,22 @@ TEST(MediaStacks, SharedSurfacesThatCoincideTurnOnceOrNotAtAll) {
   EXPECT_EQ(stacks.after(in, twice), MediaStacks::none);
   SurfaceCrossing const through[] = {crossing(2, false), crossing(3, true)};
   EXPECT_EQ(stacks.after(in, through), in);
+}
+
+TEST(MediaStacks, ClosedSolidsThatShareAnInteriorAreOne) {
+  Stage stage = plain_solids();
+  stage.solids[3].open = false;
+  stage.solids[5].interior = 0;
+  MediaStacks stacks(stage);
+  Id const in = stacks.after(MediaStacks::none, hit(3, true, true));
+  Id const both = stacks.after(in, hit(5, true, true));
+  EXPECT_EQ(stacks.medium(both), 3);
+  EXPECT_EQ(stacks.after(both, hit(3, false, true)), in);
+  EXPECT_EQ(stacks.after(in, hit(5, false, true)), MediaStacks::none);
+  // Each part of the way takes its share.
+  EXPECT_EQ(stacks.left(in, both), 3);
+  EXPECT_EQ(stacks.left(both, in), 3);
+  EXPECT_EQ(stacks.left(in, MediaStacks::none), 3);
 }
 
 TEST(MediaStacks, PlainInteriorsFadeWhereTheyEnd) {
