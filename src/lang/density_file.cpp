@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lang/blocks.hpp"
+#include "lang/load_file.hpp"
 #include "lang/scene_patterns.hpp"
 #include "texture/catmull_rom.hpp"
 
@@ -108,7 +109,7 @@ std::shared_ptr<texture::Pattern const> read_density_file(Reader& in, bool&) {
   if (!in.accept("df3")) in.unexpected("'df3'");
   Span const at = in.next_span();
   std::string const name = in.path("the file of a density");
-  auto const bytes = load_file(in.interpreter(), name);
+  auto const bytes = load_file(in.interpreter(), name, {".df3"});
   auto voxels = bytes ? unpack(*bytes) : std::optional<Voxels>();
   if (!bytes)
     in.report(Severity::Error, bytes.error().code, bytes.error().message, at);

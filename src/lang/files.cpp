@@ -157,6 +157,12 @@ SourceFile const* Files::source_of(Found&& found) {
 
 std::vector<SourceFile const*> Files::include(std::string_view name, Span span) {
   auto found = load(name, span.source);
+  std::string const extended = std::string(name) + ".inc";
+  if (!found && found.error().message.starts_with("cannot find"))
+    if (auto other = load(extended, span.source)) {
+      found = std::move(other);
+      name = extended;
+    }
   if (!found) {
     in_.error(found.error().code, found.error().message, span);
     return {};

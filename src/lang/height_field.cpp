@@ -6,6 +6,7 @@
 #include "lang/blocks.hpp"
 #include "lang/file_shapes.hpp"
 #include "lang/function.hpp"
+#include "lang/load_file.hpp"
 #include "simd/math.hpp"
 
 #include <algorithm>
@@ -104,8 +105,10 @@ std::optional<HeightGrid> grid_of(Texels const& texels, Kind kind, double gamma)
 
 std::optional<HeightGrid> read_picture(Reader& in) {
   bool pot = false;
+  std::string_view kind;
   for (std::string_view const word : type_words) {
     if (!in.accept(word)) continue;
+    kind = word;
     pot = word == "pot";
     break;
   }
@@ -130,7 +133,7 @@ std::optional<HeightGrid> read_picture(Reader& in) {
     }
   }
   if (name.empty()) return std::nullopt; // reported
-  auto const bytes = load_file(in.interpreter(), name);
+  auto const bytes = load_picture(in.interpreter(), name, kind);
   if (!bytes) {
     in.report(Severity::Error, bytes.error().code, bytes.error().message, at);
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include "image/texels.hpp"
 #include "lang/blocks.hpp"
 #include "lang/function.hpp"
+#include "lang/load_file.hpp"
 #include "lang/scene_patterns.hpp"
 #include "simd/math.hpp"
 #include "texture/patterns/image.hpp"
@@ -86,11 +87,15 @@ std::optional<Texels> read_function(Reader& in) {
 }
 
 std::optional<Texels> read_file(Reader& in) {
-  for (std::string_view const word : type_words)
-    if (in.accept(word)) break;
+  std::string_view kind;
+  for (std::string_view const word : type_words) {
+    if (!in.accept(word)) continue;
+    kind = word;
+    break;
+  }
   Span const at = in.next_span();
   std::string const name = in.path("the file of a picture");
-  auto const bytes = load_file(in.interpreter(), name);
+  auto const bytes = load_picture(in.interpreter(), name, kind);
   if (!bytes) {
     in.report(Severity::Error, bytes.error().code, bytes.error().message, at);
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include "geometry/shapes/spline_prism.hpp"
 #include "lang/blocks.hpp"
 #include "lang/file_shapes.hpp"
+#include "lang/load_file.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ constexpr std::string_view internal_fonts[] = {"povlogo.ttf", "timrom.ttf", "cyr
                                                "crystal.ttf"};
 
 std::shared_ptr<font::Font const> open_font(Reader& in, std::string const& name, Span at) {
-  auto bytes = load_file(in.interpreter(), name);
+  auto bytes = load_file(in.interpreter(), name, {".ttf", ".otf"});
   if (!bytes && bytes.error().message.starts_with("cannot find")) {
     in.report(Severity::Warning, "E0519",
               fmt::format("{}: abbe's own '{}' stands for it", bytes.error().message, packaged),

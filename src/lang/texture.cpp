@@ -85,7 +85,7 @@ bool read_texture_part(Reader& in, scene::Texture& layer) {
   if (in.open("normal")) {
     transform_normal(layer.normal, layer.placement);
     scene::Normal normal = layer.normal ? *layer.normal : scene::Normal{};
-    read_normal(in, normal, normal.pattern ? geometry::Transform{} : layer.placement.transform());
+    read_normal(in, normal, {}); // a new one stays where it is
     in.close();
     set_normal(layer, std::make_shared<scene::Normal const>(std::move(normal)));
   } else if (in.open("pigment")) {

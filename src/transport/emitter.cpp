@@ -123,7 +123,7 @@ void Emitter::send(Chunk const& chunk, Onward const& rays) {
   each_of(rays.rays, [&](std::size_t r) {
     double const* const light = rays.light + r * n;
     double const least = threshold(chunk.sample[r]);
-    bool goes = n == 1 ? *light > least : any_above(light, n, least);
+    bool goes = n == 1 ? std::fabs(*light) > least : any_above(light, n, least);
     if (goes) {
       ++counted;
       count_ray(chunk.sample[r]);

@@ -5,6 +5,7 @@
 #include "geometry/batch.hpp"
 #include "simd/lane.hpp"
 
+#include <cmath>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -72,9 +73,10 @@ inline bool any_but_zero(double const* values, std::size_t n) {
     if (values[k] != 0) return true;
   return false;
 }
+/// By their sizes: pigments with a transmit below 0 take light away.
 inline bool any_above(double const* values, std::size_t n, double threshold) {
   for (std::size_t k = 0; k < n; ++k)
-    if (values[k] > threshold) return true;
+    if (std::fabs(values[k]) > threshold) return true;
   return false;
 }
 

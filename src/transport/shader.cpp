@@ -76,7 +76,7 @@ void Shader<Lanes>::shade_single(RaySet rays, SurfaceLight& out) {
     return shade_layers(*layers, side, rays, out);
   auto* const seen = arena_.take<SeenLayers>(chunk_.count);
   for (std::size_t r = 0; r < chunk_.count; ++r)
-    seen[r] = reader.at(meeting_of(stage_, chunk_, r), arena_);
+    seen[r] = reader.at(straight_meeting_of(stage_, chunk_, r), arena_);
   shade_seen(rays, side, out, seen);
 }
 
@@ -89,7 +89,7 @@ void Shader<Lanes>::shade_crossing(geometry::SurfaceCrossing const& crossing, bo
   if (auto const layers = reader.same(crossing)) return shade_layers(*layers, side, rays, out);
   auto* const seen = arena_.take<SeenLayers>(chunk_.count);
   each_of(rays, [&](std::size_t r) {
-    seen[r] = reader.at(meeting_of(stage_, chunk_, r, side.spot(r)), arena_);
+    seen[r] = reader.at(straight_meeting_of(stage_, chunk_, r, side.spot(r)), arena_);
   });
   shade_seen(rays, side, out, seen);
 }

@@ -68,6 +68,13 @@ surface::Reader::Meeting meeting_of(Stage const& stage, Chunk const& chunk, std:
   return out;
 }
 
+surface::Reader::Meeting straight_meeting_of(Stage const& stage, Chunk const& chunk, std::size_t r,
+                                             LayerSpot const& spot) {
+  auto out = meeting_of(stage, chunk, r, spot);
+  out.sight.normal = untilted(chunk, r);
+  return out;
+}
+
 bool tilts(Stage const& stage, geometry::PrimitiveId primitive) {
   surface::Textures const& textures = stage.textures;
   surface::Surface const surface = textures.surfaces[primitive];

@@ -32,5 +32,8 @@ void face_layer(Stage const& stage, Chunk const& chunk, std::size_t r, int layer
 /// What a reader of surfaces is told of a ray that met one.
 surface::Reader::Meeting meeting_of(Stage const& stage, Chunk const& chunk, std::size_t r,
                                     LayerSpot const& spot = {});
+/// The same before any normal is tilted: what chooses among textures sees that (slope, aoi).
+surface::Reader::Meeting straight_meeting_of(Stage const& stage, Chunk const& chunk, std::size_t r,
+                                             LayerSpot const& spot = {});
 
 } // namespace abbe::transport
