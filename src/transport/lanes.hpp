@@ -5,8 +5,8 @@
 #include "geometry/batch.hpp"
 #include "simd/lane.hpp"
 
-#include <cmath>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
