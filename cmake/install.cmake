@@ -10,7 +10,7 @@ endforeach()
 
 # libabbe.a: all that src/abbe.hpp needs, in one archive.
 set(objects)
-foreach(part IN ITEMS base simd grammar optics geometry texture image font scene lang plan surface transport
+foreach(part IN ITEMS base simd field grammar optics geometry texture image font scene lang plan surface transport
     render job library)
   list(APPEND objects $<TARGET_OBJECTS:abbe_${part}>)
 endforeach()

@@ -111,6 +111,8 @@ void SceneArguments::add_to(CommandLine& app, bool with_plan) {
       .type_name("WORDS")
       .check([](std::string const& text) { return check_spectral("representation " + text); });
   app.add_option("--spacing", spacing, "of bands: uniform or hall").one_of({"uniform", "hall"});
+  app.add_option("--caustics", caustics, "off: without the light that glass and mirrors throw")
+      .one_of({"off"});
   app.add_flag("--spectral", spectral, "render in bands; EXR output carries them");
 }
 
@@ -212,6 +214,8 @@ plan::Overrides overrides_of(SceneArguments const& arguments) {
   plan::Overrides overrides;
   overrides.bands = arguments.bands;
   overrides.spectral = arguments.spectral;
+  if (arguments.caustics == "off")
+    overrides.effects.push_back({scene::Switch::Caustics, false, {}});
   if (!arguments.dispersion.empty())
     overrides.dispersion = spectral_settings(dispersion_phrase(arguments.dispersion)).dispersion;
   if (!arguments.representation.empty())

@@ -28,6 +28,7 @@ struct SceneArguments {
   std::string representation;
   std::string spacing;
   bool spectral = false;
+  std::string caustics;        ///< "off"; empty: as the scene says
   lang::AnimationFrame frame;  ///< which picture of a series
   std::optional<double> clock; ///< --clock: instead of the frame's
   int quality = 9;             ///< POV-Ray's +Q (plan/quality.hpp)

@@ -137,6 +137,14 @@ public:
   /// The primitive's own surface coordinates at a point; x and y of its space where it has none.
   Vec2 uv(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   Shape const& shape(PrimitiveId) const;
+  /// Where lines meet the surface of one primitive, whatever else is there and whether boolean
+  /// operations have left that surface or not: the first crossing ahead that goes the same way.
+  /// @param starts by line, its place on the primitive, where all depart from it; or null
+  /// @param entering the primitive
+  /// @param t by line, room for whole lanes; not above 0: there is none @param face by line
+  void crossings_of(PrimitiveId, std::size_t count, VectorArrays const& origins,
+                    VectorArrays const& directions, Start const* starts, bool entering, Scratch&,
+                    double* t, std::uint32_t* face) const;
 
   struct Impl; ///< of this folder's own
 

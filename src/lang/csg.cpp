@@ -106,6 +106,7 @@ struct Inherited {
   bool uv_mapping = false; ///< of the textures
   std::uint16_t light_group = 0;
   bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+  scene::Throws throws;
 };
 
 /// A glass without a texture is clear, not black.
@@ -117,6 +118,18 @@ scene::Texture clear_texture(Span span) {
   texture.finish->ambient.rgb = Vec3(0);
   texture.finish->diffuse = 0;
   return texture;
+}
+
+/// What a part says itself goes before what the combination says.
+scene::Throws inherit_throws(scene::Throws own, scene::Throws const& from) {
+  using scene::Choice;
+  for (auto const item :
+       {&scene::Throws::refraction, &scene::Throws::reflection, &scene::Throws::cast})
+    if (own.*item == Choice::Unset) own.*item = from.*item;
+  own.target = own.target || from.target;
+  own.collect = own.collect && from.collect;
+  own.pass_through = own.pass_through || from.pass_through;
+  return own;
 }
 
 bool inherit_flag(std::optional<bool>& own, bool from_parent) {
@@ -137,6 +150,7 @@ Inherited inherit(Object& object, Inherited const& from) {
   to.no_image = inherit_flag(object.no_image, from.no_image);
   to.no_reflection = inherit_flag(object.no_reflection, from.no_reflection);
   to.light_group = from.light_group;
+  to.throws = object.throws = inherit_throws(object.throws, from.throws);
   to.double_illuminate = inherit_flag(object.double_illuminate, from.double_illuminate);
   // An own texture is complete: nothing of the parent's, not even its inner one, is added.
   bool const own = object.texture.has_value();

@@ -148,6 +148,11 @@ private:
     effects(s.effects);
     if (s.samples)
       line("samples {} to {} error {}", s.samples->least, s.samples->most, text(s.samples->error));
+    scene::ThrownLight const& t = s.thrown;
+    if (t.photons || t.caustics)
+      line("thrown light{}{} error {} max_trace_level {} adc_bailout {}",
+           t.caustics ? " caustics" : "", t.photons ? " photons" : "", text(t.error),
+           t.max_trace_level, text(t.adc_bailout));
     if (p.spacing != Spacing::Boundaries) return;
     Deeper const deeper(*this);
     std::string edges;
@@ -186,6 +191,8 @@ private:
     if (l.media_attenuation) rest += " media_attenuation";
     if (!l.media_interaction) rest += " media_interaction off";
     if (l.shadowless) rest += " shadowless";
+    rest += choice(l.throws.refraction, " photons refraction");
+    rest += choice(l.throws.reflection, " photons reflection");
     if (l.fade_power != 0 || l.fade_distance != 0)
       rest +=
           fmt::format(" fade_distance {} fade_power {}", text(l.fade_distance), text(l.fade_power));
@@ -230,6 +237,22 @@ private:
     for (auto const& entry : r.entries) line("{} {}", text(entry.value), text(entry.colour));
   }
 
+  static std::string choice(scene::Choice made, std::string_view word) {
+    if (made == scene::Choice::Unset) return "";
+    return fmt::format("{} {}", word, made == scene::Choice::On ? "on" : "off");
+  }
+
+  static std::string throws(scene::Throws const& t) {
+    std::string out;
+    if (t.target) out += " target";
+    out += choice(t.refraction, " refraction");
+    out += choice(t.reflection, " reflection");
+    out += choice(t.cast, " cast");
+    if (!t.collect) out += " collect off";
+    if (t.pass_through) out += " pass_through";
+    return out.empty() ? out : " photons" + out;
+  }
+
   void object(Object const& o, std::string_view role) {
     std::string flags;
     auto const flag = [&](std::optional<bool> on, std::string_view word) {
@@ -241,6 +264,7 @@ private:
     flag(o.no_image, "no_image");
     flag(o.no_reflection, "no_reflection");
     flag(o.double_illuminate, "double_illuminate");
+    flags += throws(o.throws);
     bool const shape = o.kind == Object::Kind::Shape;
     if (o.light_group != 0) flags += fmt::format(" light_group {}", o.light_group);
     line("{}{}{}", role, shape ? o.keyword : name(o.kind), flags);

@@ -190,7 +190,7 @@ bool read_item(Reader& in, Draft& draft) {
   else if (in.accept("media_attenuation"))
     light.media_attenuation = in.boolean_or(true);
   else
-    return read_light_photons(in) || read_objects(in, light) || read_area(in, light)
+    return read_light_photons(in, light.throws) || read_objects(in, light) || read_area(in, light)
            || read_kind(in, draft) || read_aim(in, draft);
   return true;
 }

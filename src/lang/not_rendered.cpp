@@ -50,43 +50,17 @@ constexpr Item radiosity_items[] = {{"adc_bailout"},        {"always_sample", bo
                                     {"normal", boolean},    {"pretrace_end"},
                                     {"pretrace_start"},     {"recursion_limit"},
                                     {"subsurface", boolean}};
-constexpr Item photon_items[] = {
-    {"adc_bailout"}, {"autostop"},        {"count"},       {"expand_thresholds", 2}, {"gather", 2},
-    {"jitter"},      {"max_trace_level"}, {"media", 1, 1}, {"radius", 0, 4},         {"spacing"}};
-constexpr Item object_photon_items[] = {{"collect", boolean},
-                                        {"pass_through", boolean},
-                                        {"reflection", boolean},
-                                        {"refraction", boolean},
-                                        {"target", 0, 1}};
-constexpr Item light_photon_items[] = {
-    {"area_light", boolean}, {"reflection", boolean}, {"refraction", boolean}};
 constexpr Item subsurface_items[] = {{"radiosity", boolean}, {"samples", 2}};
-
-void read_photon_items(Reader& in) {
-  while (!in.at_end()) {
-    Span const at = in.next_span();
-    if (in.accept("save_file")) {
-      in.path("save_file");
-      in.report(Severity::Error, "E0901", "'save_file' in photons is not supported yet", at);
-    } else if (in.accept("load_file")) {
-      in.path("load_file");
-    } else if (!read_item(in, photon_items)) {
-      reject(in, "an item of photons");
-    }
-  }
-}
 
 } // namespace
 
-bool read_global_light(Reader& in) {
+bool read_global_light(Reader& in, scene::Settings& settings) {
+  if (read_global_thrown(in, settings)) return true;
   Span const at = in.next_span();
   std::string_view word;
   if (in.open("radiosity")) {
     word = "radiosity";
     read_items(in, radiosity_items, "an item of radiosity");
-  } else if (in.open("photons")) {
-    word = "photons";
-    read_photon_items(in);
   } else if (in.open("subsurface")) {
     word = "subsurface";
     read_items(in, subsurface_items, "'samples' or 'radiosity'");
@@ -109,18 +83,8 @@ bool read_importance(Reader& in) {
   return true;
 }
 
-bool read_object_light(Reader& in) {
-  if (!in.open("photons")) return read_importance(in);
-  read_items(in, object_photon_items, "an item of an object's photons");
-  in.close();
-  return true;
-}
-
-bool read_light_photons(Reader& in) {
-  if (!in.open("photons")) return false;
-  read_items(in, light_photon_items, "an item of a light's photons");
-  in.close();
-  return true;
+bool read_object_light(Reader& in, scene::Object& object) {
+  return read_object_thrown(in, object.throws) || read_importance(in);
 }
 
 bool read_subsurface(Reader& in) {

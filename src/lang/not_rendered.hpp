@@ -14,18 +14,23 @@ namespace abbe::lang {
 /// The scene calls for what `word` says, which is not rendered yet.
 void note_not_rendered(Reader&, std::string_view word, Span at);
 
-/// `radiosity { ... }`, `photons { ... }` and `subsurface { ... }` in global_settings, which turn
-/// these on. @return false: none of them is next
-bool read_global_light(Reader&);
-/// `photons { ... }` and `radiosity { ... }` of objects: without effect where the global ones are
-/// not given, as in POV-Ray.
-bool read_object_light(Reader&);
+/// `radiosity { ... }` and `subsurface { ... }` in global_settings, which turn these on, and
+/// `photons { ... }` and `caustics { ... }` (thrown_light.cpp). @return false: none of them is next
+bool read_global_light(Reader&, scene::Settings&);
+/// `photons { ... }`, `caustics { ... }` and `radiosity { ... }` of objects. The first and the last
+/// are without effect where the global ones are not given, as in POV-Ray.
+bool read_object_light(Reader&, scene::Object&);
 /// `photons { ... }` of a light.
-bool read_light_photons(Reader&);
+bool read_light_photons(Reader&, scene::LampThrows&);
 /// `radiosity { importance f }` of objects and of `#default`.
 bool read_importance(Reader&);
 /// `subsurface { ... }` of a finish: without effect unless the global one is given, as in POV-Ray.
 bool read_subsurface(Reader&);
+
+// thrown_light.cpp
+/// @return false: neither `photons` nor `caustics` is next
+bool read_global_thrown(Reader&, scene::Settings&);
+bool read_object_thrown(Reader&, scene::Throws&);
 
 // media.cpp
 /// The content of `media { ... }`.

@@ -110,7 +110,7 @@ bool read_object_modifier(Reader& in, Object& object) {
   // For the words that it asks for: "did you mean".
   Surface const surface{object.texture, object.interior_texture, object.interior};
   return read_surface(in, surface) || read_flags(in, object) || read_bounds(in, object)
-         || read_hint(in) || read_object_light(in);
+         || read_hint(in) || read_object_light(in, object);
 }
 
 void transform_object(Object& object, geometry::Transform const& transform) {

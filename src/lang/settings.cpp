@@ -214,7 +214,7 @@ bool read_item(Reader& in, Settings& settings) {
     settings.noise_generator = generator;
     scene_state(in.interpreter()).default_noise_generator = generator;
   } else {
-    return read_ignored(in) || read_global_light(in);
+    return read_ignored(in) || read_global_light(in, settings);
   }
   return true;
 }

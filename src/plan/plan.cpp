@@ -93,6 +93,8 @@ std::string_view effect_name(Effect effect) {
     return "light groups";
   case Effect::Air:
     return "fog and rainbows";
+  case Effect::Caustics:
+    return "caustics";
   }
   return "";
 }

@@ -29,9 +29,10 @@ enum class Effect : std::uint8_t {
   Csg,
   AreaLights,
   LightGroups,
-  Air
+  Air,
+  Caustics
 };
-inline constexpr int effect_count = 15;
+inline constexpr int effect_count = 16;
 std::string_view effect_name(Effect);
 /// The switch that puts it off, where there is one.
 std::optional<scene::Switch> switch_of(Effect);

@@ -37,6 +37,7 @@ void lower_quality(scene::Scene& scene, int quality) {
   if (quality >= 9) return;
   scene.fogs.clear();
   scene.rainbows.clear();
+  scene.settings.thrown.photons = false;
   if (quality >= 8) return;
   MaterialChange change;
   change.layer = [quality](scene::Texture& layer, bool bottom) {

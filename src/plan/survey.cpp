@@ -118,6 +118,7 @@ public:
     // Rays go anywhere.
     for (std::size_t const i : out_.out_of_reach) whole_object(scene_.objects[i]);
     out_.out_of_reach = std::move(never);
+    find_caustics();
     if (has(Effect::Refraction))
       if (auto const contact = find_contact(scene_))
         find(Effect::ContactOfMedia, contact->reason, contact->span);
@@ -136,6 +137,19 @@ private:
     };
     return object.interior || (object.texture && more(*object.texture))
            || std::any_of(object.children.begin(), object.children.end(), calls_for_more);
+  }
+
+  /// A lamp whose light can be followed, what throws it, and what shows it.
+  void find_caustics() {
+    if (!caster_ || !receives_) return;
+    for (scene::Light const& light : scene_.lights)
+      if ((!light.area || scene_.settings.thrown.photons) && !light.shadowless
+          && !light.projected_through)
+        return find(Effect::Caustics, caster_->reason + " in the light of a lamp", caster_->span);
+  }
+
+  void note_caster(std::string reason, Span span) {
+    if (!caster_) caster_ = Finding{true, std::move(reason), span, {}, {}};
   }
 
   void whole_object(scene::Object const& object) {
@@ -182,6 +196,7 @@ private:
     pigment(texture.pigment, true);
     if (texture.normal) find(Effect::Patterns, "a normal", texture.normal->span);
     scene::Finish const& finish = *texture.finish;
+    receives_ = receives_ || finish.diffuse != 0 || finish.phong != 0 || finish.specular != 0;
     colour(finish.ambient, texture.span);
     colour(finish.emission, texture.span);
     if (!finish.reflection || choices_.off(Switch::Reflection)) return;
@@ -228,8 +243,29 @@ private:
            || std::any_of(object.children.begin(), object.children.end(), object_has_interior);
   }
 
+  /// Does it throw light, and why?
+  void note_casters(scene::Object const& object) {
+    using scene::Choice;
+    if (object.kind != scene::Object::Kind::Shape || object.throws.cast == Choice::Off) return;
+    auto const metal = [](scene::Texture const& texture) {
+      return texture.finish->reflection && texture.finish->reflection->metal;
+    };
+    bool const photons = scene_.settings.thrown.photons, caustics = scene_.settings.thrown.caustics;
+    if (caustics && object.interior && object.interior->glass && has_way_in_
+        && !choices_.off(Switch::Refraction))
+      note_caster("glass " + object.interior->glass->full_name(), object.interior->span);
+    else if (caustics && object.texture && any_texture(*object.texture, metal)
+             && !choices_.off(Switch::Reflection))
+      note_caster("a mirror of metal", object.span);
+    else if (caustics && object.throws.cast == Choice::On)
+      note_caster("caustics { cast on }", object.span);
+    else if (photons && object.throws.target)
+      note_caster("photons { target }", object.span);
+  }
+
   void object(scene::Object const& object) {
     using Kind = scene::Object::Kind;
+    note_casters(object);
     if (object.kind == Kind::Intersection || object.kind == Kind::Difference
         || object.kind == Kind::Merge || !object.clipped_by.empty())
       find(Effect::Csg, "a boolean operation", object.span);
@@ -244,6 +280,8 @@ private:
   Choices const& choices_;
   Survey out_;
   bool has_way_in_ = false;
+  std::optional<Finding> caster_; ///< the first that throws light
+  bool receives_ = false;         ///< some surface shows light of lamps
   std::set<void const*> seen_;
 };
 
@@ -266,6 +304,8 @@ std::optional<Switch> switch_of(Effect effect) {
     return Switch::DistanceFade;
   case Effect::FilteringShadows:
     return Switch::FilteringShadows;
+  case Effect::Caustics:
+    return Switch::Caustics;
   default:
     return std::nullopt;
   }

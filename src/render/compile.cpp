@@ -4,6 +4,7 @@
 #include "render/media_compiler.hpp"
 #include "scene/object_tree.hpp"
 #include "simd/math.hpp"
+#include "transport/caustics/caustics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ std::unique_ptr<transport::Lamp const> compile_lamp(scene::Light const& light, V
   transport::Lamp::Common common;
   common.value = colours.light(light.colour);
   common.shadowless = light.shadowless;
+  common.throws = light.throws;
   common.fade_distance = light.fade_distance;
   common.fade_power = light.fade_power;
   if (light.area) common.area = std::make_shared<transport::Area const>(*light.area);
@@ -72,6 +74,17 @@ void set_limits(scene::Settings const& settings, Stage& stage) {
   stage.adc_bailout = settings.adc_bailout.value_or(given ? 1.0 / 255 : default_bailout);
   stage.max_trace_level = settings.max_trace_level.value_or(given ? 5 : default_level);
   stage.most_rays = given ? 0 : static_cast<std::uint32_t>(default_rays * stage.channels);
+}
+
+std::shared_ptr<transport::caustics::Caustics const> find_caustics(scene::Scene const& scene,
+                                                                   Stage const& stage) {
+  transport::caustics::Settings settings;
+  for (auto const& light : scene.lights)
+    settings.lamps.push_back((!light.area || scene.settings.thrown.photons) && !light.shadowless
+                             && !light.projected_through);
+  settings.error = scene.settings.thrown.error;
+  settings.limits = {scene.settings.thrown.max_trace_level, scene.settings.thrown.adc_bailout};
+  return std::make_shared<transport::caustics::Caustics const>(stage, settings);
 }
 
 double largest(std::span<double const> channels) {
@@ -149,6 +162,7 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   for (auto const& light : scene.lights)
     stage.lamps.push_back(compile_lamp(light, scene.camera.location, !stage.air.empty(), colours));
   compile_sky(scene, pigments, colours, stage);
+  if (plan.has(plan::Effect::Caustics)) stage.caustics = find_caustics(scene, stage);
   stage.brightest = brightest(stage);
   return stage;
 }

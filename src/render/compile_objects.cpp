@@ -29,6 +29,10 @@ struct Piece {
   std::uint16_t light_group = 0;
   bool hollow = false; ///< all of it
   bool opaque = true;
+  bool receives = false;             ///< some of its surface shows light
+  bool mirrors = false;              ///< some of it is a mirror of metal
+  std::vector<scene::Throws> throws; ///< of its parts
+  transport::Casts casts;
 };
 
 class ObjectCompiler {
@@ -101,6 +105,13 @@ private:
     }
     bool const refracts = numbers_.refracts(piece.tree, solid);
     stage_.solids.push_back(solid);
+    if (plan_.has(plan::Effect::Caustics)) {
+      settle_casts(piece, refracts);
+      if (piece.casts.target) piece.mask |= transport::caster_bit;
+      stage_.casts.push_back(piece.casts);
+      stage_.has_non_collectors = stage_.has_non_collectors || !piece.casts.collects;
+      stage_.solid_receives.push_back(piece.receives);
+    }
     if (piece.mask & filter_shadow_bit) stage_.has_filter_shadows = true;
     world_.add({std::move(piece.tree), piece.mask, refracts});
   }
@@ -170,6 +181,9 @@ private:
       out.mask |= part.mask;
       out.hollow = out.hollow && part.hollow;
       out.opaque = out.opaque && part.opaque;
+      out.receives = out.receives || part.receives;
+      out.mirrors = out.mirrors || part.mirrors;
+      out.throws.insert(out.throws.end(), part.throws.begin(), part.throws.end());
       out.tree.children.push_back(std::move(part.tree));
     }
     settle_shadow(out, plan_.is_off(scene::Switch::FilteringShadows));
@@ -254,11 +268,13 @@ private:
     piece.opaque = opaque(surface.layers)
                    && (surface.interior_layers.empty() || opaque(surface.interior_layers));
     for (auto const& face : surface.face_layers) piece.opaque = piece.opaque && opaque(face);
+    if (plan_.has(plan::Effect::Caustics)) note_light(surface, piece);
     bool const gathers = object.interior && object.interior->caustics != 0;
     if (!gathers) std::erase_if(surface.layers, [&](int number) { return invisible(number); });
     stage_.textures.surfaces.add(std::move(surface), object);
     piece.interior = object.interior;
     piece.number = numbers_.of_shape(object, piece.opaque);
+    piece.throws = {object.throws};
     piece.light_group = object.light_group;
     piece.hollow = object.hollow.value_or(false);
     bool const image = !object.no_image.value_or(false);
@@ -271,6 +287,62 @@ private:
                                      : piece.opaque || full_shadows ? opaque_shadow_bit
                                                                     : filter_shadow_bit));
     return piece;
+  }
+
+  /// How a solid throws light: as the first of its parts that says so; glass and mirrors of metal
+  /// by themselves.
+  void settle_casts(Piece& piece, bool refracts) const {
+    using scene::Choice;
+    transport::Casts& casts = piece.casts;
+    bool const photons = scene_.settings.thrown.photons;
+    Choice cast = Choice::Unset;
+    for (scene::Throws const& part : piece.throws) {
+      if (cast == Choice::Unset) cast = part.cast;
+      casts.collects = casts.collects && part.collect;
+      if (!photons) continue;
+      casts.target = casts.target || part.target;
+      casts.pass_through = casts.pass_through || part.pass_through;
+      if (casts.refraction == Choice::Unset) casts.refraction = part.refraction;
+      if (casts.reflection == Choice::Unset) casts.reflection = part.reflection;
+    }
+    bool const caustics = scene_.settings.thrown.caustics;
+    bool const glass = caustics && piece.interior && piece.interior->glass && refracts;
+    bool const mirrors = caustics && piece.mirrors;
+    if (!caustics && cast == Choice::On) cast = Choice::Unset;
+    auto const by_itself = [](Choice& choice) {
+      if (choice == Choice::Unset) choice = Choice::On;
+    };
+    if (glass || cast == Choice::On) by_itself(casts.refraction);
+    if (glass || mirrors || cast == Choice::On) by_itself(casts.reflection);
+    casts.target = casts.target || glass || mirrors || cast == Choice::On;
+    if (cast == Choice::Off) {
+      casts.target = false;
+      casts.refraction = casts.reflection = Choice::Off;
+    }
+    piece.receives = piece.receives && casts.collects;
+  }
+
+  /// What caustics want to know of a surface.
+  void note_light(SurfaceLayers const& surface, Piece& piece) {
+    auto const note = [&](auto const& self, std::vector<int> const& numbers) -> void {
+      for (int const number : numbers) {
+        CompiledLayer const& layer = compiled(number);
+        if (layer.map >= 0) {
+          auto const& entries = stage_.textures.maps[static_cast<std::size_t>(layer.map)].entries;
+          for (auto const& entry : entries) self(self, entry);
+          continue;
+        }
+        CompiledFinish const& finish = stage_.textures.finish(layer);
+        bool const scatters =
+            (finish.diffuse != 0 || finish.diffuse_back != 0) && !pigments_.clear(layer.pigment);
+        piece.receives = piece.receives || scatters || finish.phong != 0 || finish.specular != 0;
+        piece.mirrors = piece.mirrors || (finish.reflection && !finish.reflection->metal_n.empty());
+      }
+    };
+    note(note, surface.layers);
+    note(note, surface.interior_layers);
+    for (auto const& face : surface.face_layers) note(note, face);
+    stage_.receives.push_back(piece.receives);
   }
 
   /// Only what lies under a layer that lets light pass can be seen.

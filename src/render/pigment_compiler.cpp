@@ -89,7 +89,8 @@ CompiledReflection compile_reflection(scene::Reflection const& reflection, Colou
   out.falloff = reflection.falloff;
   out.exponent = 1 / reflection.exponent;
   out.metallic = reflection.metallic;
-  if (reflection.metal) {
+  // Without bands it is not asked for: reflection is off then.
+  if (reflection.metal && channels) {
     for (int i = 0; i < channels->count(); ++i) {
       auto const index = reflection.metal->index(channels->lambda_nm(i));
       out.metal_n.push_back(index.n);

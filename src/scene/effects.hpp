@@ -16,7 +16,7 @@ namespace abbe::scene {
 /// Reflection: neither `reflection` nor Fresnel reflection of glass; total reflection stays.
 /// Refraction: every index is 1. Dispersion: every index is that of the d line.
 /// Absorption, DistanceFade: of interiors. FilteringShadows: what lets light pass casts full
-/// shadows.
+/// shadows. Caustics: the light that glass and mirrors throw; off, shadows of glass are filtered.
 enum class Switch : std::uint8_t {
   Spectral,
   Reflection,
@@ -24,12 +24,13 @@ enum class Switch : std::uint8_t {
   Dispersion,
   Absorption,
   DistanceFade,
-  FilteringShadows
+  FilteringShadows,
+  Caustics
 };
 /// Their words, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 7> switch_words{
-    "spectral",   "reflection",    "refraction",       "dispersion",
-    "absorption", "distance_fade", "filtering_shadows"};
+inline constexpr std::array<std::string_view, 8> switch_words{
+    "spectral",   "reflection",    "refraction",        "dispersion",
+    "absorption", "distance_fade", "filtering_shadows", "caustics"};
 
 struct EffectOverride {
   Switch effect;

@@ -3,6 +3,7 @@
 
 #include "base/source.hpp"
 #include "scene/colour.hpp"
+#include "scene/thrown_light.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,7 @@ struct Light {
   std::shared_ptr<Object const> looks_like; ///< placed apart in a finished Scene
   std::uint16_t group = 0; ///< in a finished Scene: number in Scene::light_groups, or 0
   bool shadowless = false;
+  LampThrows throws;
   bool media_interaction = true;
   bool media_attenuation = false; ///< fog weakens it
   double fade_distance = 0;

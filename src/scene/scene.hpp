@@ -12,6 +12,7 @@
 #include "scene/dispersion_mode.hpp"
 #include "scene/effects.hpp"
 #include "scene/light.hpp"
+#include "scene/thrown_light.hpp"
 #include "texture/pattern.hpp"
 
 #include <array>
@@ -164,6 +165,7 @@ struct Object {
   bool uv_mapping = false;       ///< of all its textures
   bool global_lights = false;    ///< of a LightGroup: lights outside of it light it too
   std::uint16_t light_group = 0; ///< in a finished Scene: number in Scene::light_groups, or 0
+  Throws throws;
   std::optional<bool> hollow, no_shadow, no_image, no_reflection, double_illuminate;
   Few<Object> bounded_by; ///< for `clipped_by { bounded_by }` only; empty in a finished Scene
 };
@@ -269,6 +271,7 @@ struct Settings {
   static constexpr double default_contact = 0x1p-22;
   double contact = default_contact;
   SpectralSettings spectral;
+  ThrownLight thrown;
   EffectSettings effects;
   std::optional<SampleSettings> samples; ///< nothing: as the command line says
 };

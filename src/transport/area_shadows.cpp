@@ -111,7 +111,7 @@ private:
 
 } // namespace
 
-std::uint64_t Shadows::finish(AreaPoints& points, Lamp const& lamp,
+std::uint64_t Shadows::finish(AreaPoints& points, Lamp const& lamp, std::uint8_t opaque,
                               geometry::Groups const& groups) {
   std::uint64_t looked_at = 0;
   Rays &rays = points.rays, &ways = points.ways;
@@ -138,7 +138,7 @@ std::uint64_t Shadows::finish(AreaPoints& points, Lamp const& lamp,
       looked_at += ways.count();
       for (std::size_t w = 0; w < ways.count(); ++w) points.known[ways.slot[w]] = known;
       arrived_ = &points.seen;
-      finish(ways, lamp, groups);
+      finish(ways, lamp, opaque, groups);
       arrived_ = nullptr;
     } while (true);
     for (std::size_t i = 0; i < count; ++i) {

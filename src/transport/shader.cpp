@@ -187,6 +187,8 @@ void Shader<Lanes>::shade_layer(Layer const& layer, Side const& side, RaySet ray
       for (std::size_t lamp = 0; lamp < stage_.lamps.size(); ++lamp)
         add_lamp(lamp, finish, pigment, face, side.double_illuminate, lit_by(lamp, side, rays),
                  out);
+    if (thrown_ != nullptr && (shines || scatters))
+      add_thrown(finish, pigment, face, side, rays, out);
   }
   double* mirror = nullptr;
   if (finish.reflection) {
@@ -389,9 +391,11 @@ template class Shader<1>;
 template class Shader<3>;
 
 SurfaceLight shade(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
-                   LaneReflectance reflectance, bool lit_by_lamps) {
+                   LaneReflectance reflectance, bool lit_by_lamps,
+                   caustics::CausticLights* thrown) {
   auto const with = [&](auto lanes) {
-    return Shader<decltype(lanes)::value>(stage, arena, aims, chunk, reflectance, lit_by_lamps)
+    return Shader<decltype(lanes)::value>(stage, arena, aims, chunk, reflectance, lit_by_lamps,
+                                          thrown)
         .shade();
   };
   if (chunk.each == 1) return with(std::integral_constant<int, 1>());

@@ -9,6 +9,10 @@
 
 namespace abbe::transport {
 
+namespace caustics {
+class CausticLights;
+}
+
 /// What layers mirror whose normals are not the chunk's.
 struct OwnMirror {
   std::uint32_t number; ///< QueueKey::mirrored: of the layer's place, the same for every ray
@@ -44,8 +48,9 @@ template <int Lanes>
 class Shader {
 public:
   /// @param aims room for one a lamp @param lit_by_lamps false: its light goes nowhere
+  /// @param thrown on the chunk by casters of caustics; or null
   Shader(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
-         LaneReflectance reflectance, bool lit_by_lamps)
+         LaneReflectance reflectance, bool lit_by_lamps, caustics::CausticLights* thrown)
       : stage_(stage),
         arena_(arena),
         aims_(aims),
@@ -53,7 +58,8 @@ public:
         each_(chunk.each),
         in_order_(chunk.kind.in_order()),
         reflectance_(reflectance),
-        lit_by_lamps_(lit_by_lamps) {}
+        lit_by_lamps_(lit_by_lamps),
+        thrown_(thrown) {}
 
   /// All surfaces of the hit, nearest side first. Arrays are in the arena.
   SurfaceLight shade();
@@ -76,6 +82,11 @@ private:
     int number = 0;
     int const* own = nullptr; ///< a ray
     int of(std::size_t r) const { return own != nullptr ? own[r] : number; }
+  };
+  /// Light that comes from one direction.
+  struct LampLight {
+    Lamp const* lamp; ///< that weakens it; null: nothing does
+    ChannelValues value;
   };
   struct Side {
     bool double_illuminate = false;
@@ -124,6 +135,9 @@ private:
     for (std::size_t k = 0; k < chunk_.lanes(); ++k) lanes[k] = values(chunk_.channels[k]);
     return {lanes, false};
   }
+  LampLight light_of(Lamp const& lamp) {
+    return {&lamp, by_channel([&](std::uint16_t c) { return lamp.value()[c]; })};
+  }
   ShadedLanes lanes_of(double const* passed, Pigments const& pigment) const {
     return {chunk_.count, each(), chunk_.light, passed, pigment.colour};
   }
@@ -171,7 +185,7 @@ private:
   RaySet lit_by(std::size_t lamp, Side const& side, RaySet rays) const;
   /// What a lamp adds that shines from one place, but for shadows. @param out a value a lane
   /// @return rays whose surface it lights
-  RaySet find_added(Lamp const& lamp, Aim const& aim, surface::CompiledFinish const& finish,
+  RaySet find_added(LampLight const& light, Aim const& aim, surface::CompiledFinish const& finish,
                     Pigments const& pigment, Facing const& facing, bool double_illuminate,
                     RaySet rays, SurfaceLight const& surface, double* out);
   /// The same as a mean over the places of an area. @param middle of it
@@ -180,11 +194,14 @@ private:
                     RaySet rays, SurfaceLight const& surface, double* out);
   void add_lamp(std::size_t lamp, surface::CompiledFinish const& finish, Pigments const& pigment,
                 Facing const& facing, bool double_illuminate, RaySet rays, SurfaceLight& out);
+  /// What light adds that casters of caustics throw there.
+  void add_thrown(surface::CompiledFinish const& finish, Pigments const& pigment,
+                  Facing const& facing, Side const& side, RaySet rays, SurfaceLight& out);
   /// What a thin film on the surface makes of a lamp's light. @param light a value a lane
   void add_film(surface::CompiledFinish const& finish, Aim const& aim, Facing const& facing,
                 RaySet rays, double* light);
   /// The rays whose surface it lights, but for shadows.
-  RaySet light_up(Lamp const& lamp, Aim const& aim, Vectors const& normal,
+  RaySet light_up(Lamp const* lamp, Aim const& aim, Vectors const& normal,
                   surface::CompiledFinish const& finish, Pigments const& pigment,
                   bool double_illuminate, RaySet rays, Lit& out);
   void find_highlights(surface::CompiledFinish const& finish, Aim const& aim,
@@ -198,11 +215,12 @@ private:
   bool in_order_; ///< each ray has a lane a channel
   LaneReflectance reflectance_;
   bool lit_by_lamps_;
+  caustics::CausticLights* thrown_;
 };
 
 /// Shader::shade(), as it suits the number of lanes.
 SurfaceLight shade(Stage const& stage, Arena& arena, std::vector<Aim>& aims, Chunk const& chunk,
-                   LaneReflectance reflectance, bool lit_by_lamps);
+                   LaneReflectance reflectance, bool lit_by_lamps, caustics::CausticLights* thrown);
 
 /// POV-Ray's "Fresnel" tint of metallic highlights, x = angle / 90 degrees.
 double metallic_falloff(double cosine);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
 #include "simd/math.hpp"
+#include "transport/caustics/caustic_lights.hpp"
 #include "transport/shader.hpp"
 
 #include <algorithm>
@@ -44,12 +45,13 @@ void Shader<Lanes>::find_highlights(surface::CompiledFinish const& finish, Aim c
 }
 
 template <int Lanes>
-RaySet Shader<Lanes>::light_up(Lamp const& lamp, Aim const& aim, Vectors const& normal,
+RaySet Shader<Lanes>::light_up(Lamp const* lamp, Aim const& aim, Vectors const& normal,
                                surface::CompiledFinish const& finish, Pigments const& pigment,
                                bool double_illuminate, RaySet rays, Lit& out) {
   rays &= aim.comes;
-  out.weakens = lamp.strengths(aim, rays, chunk_.count, out.strength.value);
-  bool const shines = !lamp.shadowless() && (finish.phong != 0 || finish.specular != 0);
+  out.weakens = lamp != nullptr && lamp->strengths(aim, rays, chunk_.count, out.strength.value);
+  bool const shines =
+      !(lamp != nullptr && lamp->shadowless()) && (finish.phong != 0 || finish.specular != 0);
   double const behind = double_illuminate ? finish.diffuse : finish.diffuse_back;
   light_surfaces({&aim, &chunk_.direction, &normal, pigment.opaque.value, finish.diffuse, behind,
                   shines && finish.phong != 0, shines && finish.specular != 0},
@@ -107,12 +109,12 @@ RaySet Shader<Lanes>::lit_by(std::size_t lamp, Side const& side, RaySet rays) co
 }
 
 template <int Lanes>
-RaySet Shader<Lanes>::find_added(Lamp const& lamp, Aim const& aim,
+RaySet Shader<Lanes>::find_added(LampLight const& light, Aim const& aim,
                                  surface::CompiledFinish const& finish, Pigments const& pigment,
                                  Facing const& facing, bool double_illuminate, RaySet rays,
                                  SurfaceLight const& surface, double* out) {
   Lit lit;
-  rays = light_up(lamp, aim, *facing.normal, finish, pigment, double_illuminate, rays, lit);
+  rays = light_up(light.lamp, aim, *facing.normal, finish, pigment, double_illuminate, rays, lit);
   if (rays == 0) return 0;
   Values tint;
   if (finish.metallic != 0)
@@ -120,8 +122,7 @@ RaySet Shader<Lanes>::find_added(Lamp const& lamp, Aim const& aim,
       tint[r] = finish.metallic * (1 - metallic_falloff(aim.cosine[r]));
     });
   find_gloss(lanes_of(surface.passed, pigment),
-             {by_channel([&](std::uint16_t c) { return lamp.value()[c]; }),
-              lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
+             {light.value, lit.weakens ? lit.strength.value : nullptr, lit.surface.diffuse.value,
               lit.shines ? lit.shine.value : nullptr, finish.metallic != 0 ? tint.value : nullptr},
              out);
   if (finish.irid != 0) add_film(finish, aim, facing, rays, out);
@@ -141,6 +142,7 @@ RaySet Shader<Lanes>::add_places(std::size_t number, Aim const& middle,
   auto* const aim = arena_.take<Aim>(1);
   double* const added = take_lanes();
   double const share = 1.0 / static_cast<double>(area.places());
+  LampLight const light = light_of(lamp);
   RaySet lit = 0;
   for (int v = 0; v < area.grid().size2; ++v)
     for (int u = 0; u < area.grid().size1; ++u) {
@@ -152,7 +154,7 @@ RaySet Shader<Lanes>::add_places(std::size_t number, Aim const& middle,
       }
       lamp.aim(*points, *facing.normal, chunk_.count, *aim);
       RaySet const from_here =
-          find_added(lamp, *aim, finish, pigment, facing, double_illuminate, rays, surface, added);
+          find_added(light, *aim, finish, pigment, facing, double_illuminate, rays, surface, added);
       each_lane(from_here, [&](std::size_t, std::size_t k) { out[k] += share * added[k]; });
       lit |= from_here;
     }
@@ -177,7 +179,8 @@ void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& 
     std::fill_n(added, chunk_.count * each(), 0.0);
     rays = add_places(number, aim, finish, pigment, facing, double_illuminate, rays, out, added);
   } else {
-    rays = find_added(lamp, aim, finish, pigment, facing, double_illuminate, rays, out, added);
+    rays = find_added(light_of(lamp), aim, finish, pigment, facing, double_illuminate, rays, out,
+                      added);
   }
   if (rays == 0) return;
   // Light without shadows is the surface's own.
@@ -185,6 +188,54 @@ void Shader<Lanes>::add_lamp(std::size_t number, surface::CompiledFinish const& 
   if (to == nullptr) to = take_lanes(0.0);
   add(rays, added, to);
   out.lit[number] |= rays;
+}
+
+template <int Lanes>
+void Shader<Lanes>::add_thrown(surface::CompiledFinish const& finish, Pigments const& pigment,
+                               Facing const& facing, Side const& side, RaySet rays,
+                               SurfaceLight& out) {
+  auto const& lights = thrown_->lights();
+  double* const added = take_lanes();
+  double* const values = take_lanes();
+  auto* const aim = arena_.take<Aim>(1);
+  std::size_t const whole = (chunk_.count + 7) / 8 * 8;
+  for (std::size_t first = 0; first < lights.size();) {
+    // One light of each ray at a time.
+    std::size_t const lamp = lights[first].lamp;
+    RaySet having = 0;
+    std::fill_n(values, chunk_.count * each(), 0.0);
+    for (std::size_t r = 0; r < whole; ++r) {
+      aim->direction.set(r, Vec3(0, 0, 1));
+      aim->distance[r] = aim->cosine[r] = 1;
+    }
+    std::size_t at = first;
+    for (; at < lights.size() && lights[at].lamp == lamp; ++at) {
+      caustics::CausticLight const& light = lights[at];
+      std::size_t const r = light.ray;
+      if ((having >> r & 1) != 0) break;
+      having |= RaySet{1} << r;
+      aim->direction.set(r, light.toward);
+      aim->distance[r] = light.distance;
+      aim->cosine[r] = glm::dot(facing.normal->get(r), light.toward);
+      double const* const own = light.channel < 0 ? thrown_->values(light) : nullptr;
+      for (std::size_t k = 0; k < each(); ++k)
+        values[r * each() + k] = own != nullptr                                     ? own[k]
+                                 : chunk_.channels[r * each() + k] == light.channel ? light.value
+                                                                                    : 0;
+    }
+    first = at;
+    aim->comes = having;
+    if (stage_.has_non_collectors)
+      each_of(having, [&](std::size_t r) {
+        if (!stage_.casts[chunk_.hit[r].solid].collects) having &= ~(RaySet{1} << r);
+      });
+    RaySet const lit =
+        find_added({nullptr, {values, false}}, *aim, finish, pigment, facing,
+                   side.double_illuminate, lit_by(lamp, side, rays & having), out, added);
+    if (lit == 0) continue;
+    if (out.own == nullptr) out.own = take_lanes(0.0);
+    add(lit, added, out.own);
+  }
 }
 
 template class Shader<0>;

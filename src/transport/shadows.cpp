@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transport/shadows.hpp"
 
+#include "transport/caustics/caustics.hpp"
 #include "transport/runs.hpp"
 
 #include <algorithm>
@@ -30,10 +31,23 @@ Shadows::Shadows(Stage const& stage, Arena& arena, geometry::Scratch& scratch, S
 
 void Shadows::add(Chunk const& chunk, std::size_t lamp, Aim const& aim, RaySet lit,
                   double const* light) {
+  bool const follows = stage_.caustics && stage_.caustics->follows(lamp);
+  RaySet apart = 0;
+  if (follows && stage_.has_non_collectors)
+    each_of(lit, [&](std::size_t r) {
+      apart |= RaySet{!stage_.casts[chunk.hit[r].solid].collects} << r;
+    });
+  if ((lit & ~apart) != 0) add(chunk, {chunk.kind, lamp, follows}, aim, lit & ~apart, light);
+  if (apart != 0) add(chunk, {chunk.kind, lamp, false}, aim, apart, light);
+}
+
+void Shadows::add(Chunk const& chunk, Key const& key, Aim const& aim, RaySet lit,
+                  double const* light) {
+  std::size_t const lamp = key.lamp;
   bool const area = stage_.lamps[lamp]->area() != nullptr;
   AreaPoints* const points =
-      area ? &areas_.try_emplace({chunk.kind, lamp}, chunk.kind, fields_).first->second : nullptr;
-  Rays& to = area ? points->rays : queues_.of({chunk.kind, lamp}, chunk.kind, fields_);
+      area ? &areas_.try_emplace(key, chunk.kind, fields_).first->second : nullptr;
+  Rays& to = area ? points->rays : queues_.of(key, chunk.kind, fields_);
   std::size_t const count = static_cast<std::size_t>(std::popcount(lit)), n = chunk.each;
   std::size_t const first = to.add(count);
   std::uint8_t ray[chunk_width];
@@ -76,22 +90,22 @@ void Shadows::add_to_film(Rays const& rays, std::size_t k) {
 std::uint64_t Shadows::finish(geometry::Groups const& groups) {
   std::uint64_t ways = 0;
   queues_.each([&](Key const& key, Rays& rays) {
-    finish(rays, *stage_.lamps[key.lamp], groups);
+    finish(rays, *stage_.lamps[key.lamp], key.opaque(), groups);
     rays.clear();
   });
   for (auto& [key, points] : areas_)
     if (points.rays.count() > 0) {
-      ways += finish(points, *stage_.lamps[key.lamp], groups);
+      ways += finish(points, *stage_.lamps[key.lamp], key.opaque(), groups);
       points.clear();
     }
   return ways;
 }
 
-void Shadows::finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups) {
+void Shadows::finish(Rays& rays, Lamp const& lamp, std::uint8_t opaque,
+                     geometry::Groups const& groups) {
   if (lamp.gate() != nullptr) pass_gate(rays, *lamp.gate());
   blocked_.resize(rays.count());
-  stage_.world->occluded(rays.lines(groups), opaque_shadow_bit, rays.rest.data(), scratch_,
-                         blocked_.data());
+  stage_.world->occluded(rays.lines(groups), opaque, rays.rest.data(), scratch_, blocked_.data());
   if (stage_.has_filter_shadows) {
     std::size_t left = 0;
     for (std::size_t k = 0; k < rays.count(); ++k)
@@ -229,8 +243,7 @@ bool Shadows::pass(Rays& rays, Lamp const& lamp, std::size_t k, geometry::Groups
     surface::Reader const reader = stage_.reader();
     reader.tint(
         {crossing, inverse, point, {reader.facing(crossing, point, direction), direction, Vec2(0)}},
-        stage_.caustics(crossing), {channels_.data(), static_cast<int>(n), rays.light_of(k)},
-        arena_);
+        stage_.focus(crossing), {channels_.data(), static_cast<int>(n), rays.light_of(k)}, arena_);
   };
   if (shown && group == nullptr)
     tint({hit.solid, hit.primitive, hit.face, t, hit.entering, hit.toggles},

@@ -27,13 +27,20 @@ private:
   struct Key {
     LightKind kind;
     std::size_t lamp;
+    bool thrown = false; ///< light that casters throw is found by itself: none comes straight
     auto operator<=>(Key const&) const = default;
+    /// Bits of what lets none pass.
+    std::uint8_t opaque() const {
+      return static_cast<std::uint8_t>(opaque_shadow_bit | (thrown ? caster_bit : 0));
+    }
   };
-  /// @param lamp that they go to
-  void finish(Rays& rays, Lamp const& lamp, geometry::Groups const& groups);
+  void add(Chunk const& chunk, Key const& key, Aim const& aim, RaySet lit, double const* light);
+  /// @param lamp that they go to @param opaque bits of what lets none pass
+  void finish(Rays& rays, Lamp const& lamp, std::uint8_t opaque, geometry::Groups const& groups);
   /// Ways to places of an area, as many as decide how much of its light comes.
   /// @return how many
-  std::uint64_t finish(AreaPoints& points, Lamp const& lamp, geometry::Groups const& groups);
+  std::uint64_t finish(AreaPoints& points, Lamp const& lamp, std::uint8_t opaque,
+                       geometry::Groups const& groups);
   /// The way to a place of the area of point k. @param slot that it has while it is traced
   static void add_way(AreaPoints& points, Area const& area, std::size_t k, std::size_t place,
                       std::size_t slot);

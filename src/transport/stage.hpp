@@ -24,6 +24,9 @@ namespace abbe::transport {
 using surface::Channels;
 
 class WavelengthPolicy;
+namespace caustics {
+class Caustics;
+}
 
 /// What a ray may travel in. Number 0 is the surrounding air.
 struct Medium {
@@ -74,7 +77,21 @@ struct SharedInterior {
 
 /// World mask bits (geometry::visible_to_*): opaque and filtering casters of shadows apart.
 inline constexpr std::uint8_t camera_bit = 1, reflection_bit = 2, opaque_shadow_bit = 4,
-                              filter_shadow_bit = 8;
+                              filter_shadow_bit = 8, caster_bit = 16;
+/// What light from lamps meets that is followed for caustics.
+inline constexpr std::uint8_t light_bits = opaque_shadow_bit | filter_shadow_bit | caster_bit;
+
+/// How a solid throws light on (scene::Throws).
+struct Casts {
+  bool target = false; ///< light is sent to it; what comes straight through it is then left out
+  bool collects = true, pass_through = false;
+  scene::Choice refraction = scene::Choice::Unset, reflection = scene::Choice::Unset;
+  /// Does light of a lamp go on there?
+  static bool goes_on(scene::Choice own, scene::Choice lamp) {
+    using scene::Choice;
+    return (own == Choice::On && lamp != Choice::Off) || (lamp == Choice::On && own != Choice::Off);
+  }
+};
 
 struct Stage {
   int channels = 3;
@@ -90,7 +107,12 @@ struct Stage {
   std::vector<std::unique_ptr<Lamp const>> lamps;
   /// Does the lamp light surfaces of the group? By group and lamp; empty where there are no groups.
   std::vector<std::vector<bool>> lit_groups;
-  Air air; ///< what is in it, the nearest to the camera first
+  Air air;                         ///< what is in it, the nearest to the camera first
+  bool has_non_collectors = false; ///< some solid does not collect
+  std::vector<Casts> casts;        ///< by SolidId; empty where the scene calls for no caustics
+  /// Its surface shows light that falls on it; by PrimitiveId, and by SolidId; as `casts`.
+  std::vector<bool> receives, solid_receives;
+  std::shared_ptr<caustics::Caustics const> caustics; ///< the light of casters; or null
   /// Light of different combs is kept apart on the film because the wavelengths that it stands for
   /// differ.
   std::vector<optics::Comb> combs;
@@ -125,7 +147,7 @@ struct Stage {
     return own.by_primitive ? primitive_interiors[primitive] : own.interior;
   }
   /// Of the interior that a surface is of.
-  double caustics(geometry::SurfaceCrossing const& at) const {
+  double focus(geometry::SurfaceCrossing const& at) const {
     CompiledSolid const& own = solids[at.solid];
     if (!own.by_primitive) return medium(own.medium).caustics;
     std::int32_t const number = primitive_interiors[at.primitive];

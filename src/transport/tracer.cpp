@@ -45,27 +45,11 @@ Tracer::Tracer(Stage const& stage, Footprint footprint, PathRecord* record)
       adaptive_(stage, footprint, paths_),
       comb_light_(waves_, film_, arena_),
       way_(stage, stacks_),
+      insides_(stage, stacks_, *scratch_),
       aims_(stage.lamps.size()) {
-  for (geometry::SolidId solid = 0; solid < stage.solids.size(); ++solid)
-    if (stage.solids[solid].counts() && !stage.solids[solid].sheet)
-      media_bounds_.push_back(stage.world->bounds(solid));
-  if (stage.camera->has_one_point() && !stage.lens) camera_stack_ = inside_at(Vec3(0));
-}
-
-MediaStacks::Id Tracer::inside_at(Vec3 const& point) {
-  auto const in_bounds = [&](geometry::Bounds const& box) {
-    return box.infinite
-           || (box.low.x <= point.x && point.x <= box.high.x && box.low.y <= point.y
-               && point.y <= box.high.y && box.low.z <= point.z && point.z <= box.high.z);
-  };
-  MediaStacks::Id stack = MediaStacks::none;
-  if (std::none_of(media_bounds_.begin(), media_bounds_.end(), in_bounds)) return stack;
-  std::vector<geometry::SolidId> solids;
-  stage_.world->containing(point, *scratch_, solids);
-  for (auto const solid : solids)
-    if (stage_.solids[solid].counts() && !stage_.solids[solid].sheet)
-      stack = stacks_.stood_in(stack, solid);
-  return stack;
+  if (stage.caustics)
+    caustic_lights_ = std::make_unique<caustics::CausticLights>(stage, *stage.caustics);
+  if (stage.camera->has_one_point() && !stage.lens) camera_stack_ = insides_.at(Vec3(0));
 }
 
 namespace {
@@ -105,7 +89,7 @@ void Tracer::start_camera(PicturePoints const& points, std::span<SampleKey const
   if (camera_stack_)
     std::fill_n(rays.stack.begin(), count, *camera_stack_);
   else
-    for (std::size_t k = 0; k < count; ++k) rays.stack[k] = inside_at(rays.origin.get(k));
+    for (std::size_t k = 0; k < count; ++k) rays.stack[k] = insides_.at(rays.origin.get(k));
   for (std::size_t k = 0; k < count; ++k) {
     rays.slot[k] = film_.channel_slot(static_cast<SampleFilm::Block>(k / each), 0);
     emitter_.count_ray(k / each);

@@ -3,11 +3,14 @@
 
 #include "transport/buckets.hpp"
 #include "transport/captures.hpp"
+#include "transport/caustics/caustic_lights.hpp"
 #include "transport/comb_light.hpp"
 #include "transport/emitter.hpp"
+#include "transport/insides.hpp"
 #include "transport/interface.hpp"
 #include "transport/shader.hpp"
 #include "transport/shadows.hpp"
+#include "transport/shares.hpp"
 #include "transport/wavelengths/adaptive.hpp"
 #include "transport/way.hpp"
 
@@ -68,15 +71,8 @@ private:
     int comb = no_comb;   ///< that draws its wavelengths
     Medium const* governing = nullptr; ///< the medium whose mode it is
   };
-  /// What becomes of light at a surface, a value a lane.
-  struct Shares {
-    double *back = nullptr, *on = nullptr;
-    SplitLanes ways;                   ///< of lanes that split
-    RaySet returning = 0, passing = 0; ///< rays that may; of others nothing is written
-  };
 
   void start_camera(PicturePoints const& points, std::span<SampleKey const> keys);
-  MediaStacks::Id inside_at(Vec3 const& point);
   /// Until no ray is left.
   void drain();
   /// Half of the samples whose rays are next are to wait.
@@ -105,9 +101,9 @@ private:
   /// The surface's own light, what lamps add to it, and what it lets pass and mirrors.
   SurfaceLight shade_chunk(Face const& face, Shares const& shares, bool lit);
   /// @param surface null: clear
-  void find_shares(Face const& face, SurfaceLight const* surface, Shares& shares);
-  /// The same of clear surfaces that do not split light.
-  void find_bare_shares(Face const& face, Shares& shares);
+  void find_shares(Face const& face, SurfaceLight const* surface, Shares& shares) {
+    transport::find_shares(arena_, chunk_, face.fresnel, face.splits, surface, shares);
+  }
   void mirror(Face const& face, SurfaceLight const* surface, Shares const& shares);
   /// Light that comes back in one direction a ray.
   struct Mirrored {
@@ -124,7 +120,6 @@ private:
   void go_on(Face const& face, Shares const& shares);
   void share(Face const& face);
   void meet_comb(Face const& face);
-  bool is_bare() const;
 
   Stage const& stage_;
   Arena arena_;
@@ -137,11 +132,12 @@ private:
   Emitter emitter_;
   Shadows shadows_;
   Captures captures_;
+  std::unique_ptr<caustics::CausticLights> caustic_lights_; ///< null: there are none
   AdaptiveSplits adaptive_;
   CombLight comb_light_;
   Way way_;
   std::atomic<bool> const* stop_ = nullptr;
-  std::vector<geometry::Bounds> media_bounds_;  ///< of solids that a camera ray may start in
+  Insides insides_;
   std::optional<MediaStacks::Id> camera_stack_; ///< where all start at one point
 
   // Of the rays in work.

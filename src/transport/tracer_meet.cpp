@@ -130,7 +130,7 @@ void Tracer::find_indices() {
   refract_rays(c);
 }
 
-Tracer::Shares Tracer::split_lanes(Face const& face) {
+Shares Tracer::split_lanes(Face const& face) {
   Chunk const& c = chunk_;
   std::size_t const each = c.each, lanes = c.lanes() + 8, whole = (each + 3) / 4 * 4;
   auto const values = [&](std::size_t count) { return arena_.take<double>(count); };
@@ -158,18 +158,13 @@ Tracer::Shares Tracer::split_lanes(Face const& face) {
   return out;
 }
 
-bool Tracer::is_bare() const {
-  if (chunk_.group == nullptr) return stage_.textures.surfaces[chunk_.hit[0].primitive].bare();
-  return std::all_of(chunk_.crossings.begin(), chunk_.crossings.end(), [&](auto const& crossing) {
-    return stage_.textures.surfaces[crossing.primitive].bare();
-  });
-}
-
 SurfaceLight Tracer::shade_chunk(Face const& face, Shares const& shares, bool lit) {
   Chunk const& c = chunk_;
   LaneReflectance const reflectance{face.splits ? shares.ways.reflectance : nullptr,
                                     c.reflectance.value};
-  SurfaceLight const surface = shade(stage_, arena_, aims_, c, reflectance, lit);
+  caustics::CausticLights* const thrown = lit ? caustic_lights_.get() : nullptr;
+  if (thrown != nullptr) thrown->look_at(c, starts_);
+  SurfaceLight const surface = shade(stage_, arena_, aims_, c, reflectance, lit, thrown);
   if (surface.own != nullptr)
     for (std::size_t r = 0, k = 0; r < c.count; ++r)
       for (std::uint32_t i = 0; i < c.each; ++i, ++k) {
@@ -186,69 +181,6 @@ SurfaceLight Tracer::shade_chunk(Face const& face, Shares const& shares, bool li
     shadows_.add(c, lamp, aims_[lamp], rays, surface.of_lamp[lamp]);
   }
   return surface;
-}
-
-void Tracer::find_bare_shares(Face const& face, Shares& shares) {
-  Chunk const& c = chunk_;
-  RaySet const all = first_rays(c.count);
-  shares.passing = all & ~c.total;
-  if (!face.fresnel) {
-    shares.returning = c.total;
-    std::copy_n(c.light, c.lanes(), shares.back);
-    std::copy_n(c.light, c.lanes(), shares.on);
-    return;
-  }
-  for (std::size_t r = 0, k = 0; r < c.count; ++r) {
-    double const back = c.reflectance[r], on = c.transmittance[r];
-    shares.returning |= RaySet{back != 0} << r;
-    for (std::size_t const end = k + c.each; k < end; ++k) {
-      shares.back[k] = c.light[k] * back;
-      shares.on[k] = c.light[k] * on;
-    }
-  }
-}
-
-void Tracer::find_shares(Face const& face, SurfaceLight const* surface, Shares& shares) {
-  Chunk const& c = chunk_;
-  std::size_t const lanes = c.lanes();
-  shares.back = arena_.take<double>(lanes + 8);
-  shares.on = arena_.take<double>(lanes + 8);
-  shares.passing = shares.returning = 0;
-  if (surface == nullptr && !face.splits) return find_bare_shares(face, shares);
-  RaySet const unasked_of =
-      face.fresnel ? ~(surface != nullptr ? surface->explicit_reflection : RaySet{0}) : 0;
-  for (std::size_t r = 0, first = 0; r < c.count; ++r, first += c.each) {
-    bool const unasked = (unasked_of >> r & 1) != 0;
-    bool const passes = surface == nullptr || any_above(surface->passed + first, c.each, 0);
-    bool const mirrors = surface != nullptr && (surface->mirrors >> r & 1) != 0;
-    if (!passes && !mirrors) continue;
-    bool returns = false;
-    auto const share = [&](std::size_t k, bool total, double reflectance, double transmittance) {
-      double const passed = surface != nullptr ? surface->passed[k] : 1;
-      double const asked = surface != nullptr ? surface->mirrored[k] : 0;
-      // Total reflection returns everything that would have passed (unfiltered, as in POV-Ray).
-      double const back = total                   ? (passes ? 1 : asked)
-                          : unasked && passed > 0 ? asked + reflectance
-                                                  : asked;
-      shares.back[k] = c.light[k] * back;
-      shares.on[k] = c.light[k] * (total ? 0 : unasked ? passed * transmittance : passed);
-      returns = returns || back != 0;
-    };
-    if (face.splits) {
-      for (std::size_t k = first; k < first + c.each; ++k)
-        share(k, shares.ways.total[k], shares.ways.reflectance[k], shares.ways.transmittance[k]);
-    } else {
-      bool const total = (c.total >> r & 1) != 0;
-      double const reflectance = c.reflectance[r], transmittance = c.transmittance[r];
-      for (std::size_t k = first; k < first + c.each; ++k)
-        share(k, total, reflectance, transmittance);
-    }
-    shares.returning |= RaySet{returns} << r;
-    shares.passing |= RaySet{passes} << r;
-  }
-  if (!face.splits || shares.passing == first_rays(c.count)) return;
-  for (std::size_t r = 0; r < c.count; ++r) // policies look at all
-    if ((shares.passing >> r & 1) == 0) std::fill_n(shares.on + r * c.each, c.each, 0.0);
 }
 
 void Tracer::mirror(Face const& face, SurfaceLight const* surface, Shares const& shares) {
@@ -389,7 +321,7 @@ void Tracer::share(Face const& face) {
     shares = split_lanes(face);
   else
     find_indices();
-  if (is_bare()) {
+  if (is_bare(stage_, chunk_)) {
     find_shares(face, nullptr, shares);
     mirror(face, nullptr, shares);
   } else {
@@ -409,7 +341,7 @@ void Tracer::meet_comb(Face const& face) {
   find_indices();
   Shares shares;
   SurfaceLight surface;
-  bool const bare = is_bare();
+  bool const bare = is_bare(stage_, chunk_);
   if (!bare) surface = shade_chunk(flat, shares, true);
   if (film_.has_control(face.comb)) {
     static_cast<ChunkLight&>(c) = comb_light_.control(c, face.comb);

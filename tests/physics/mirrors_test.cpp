@@ -137,5 +137,13 @@ TEST(Reflection, OfTwoMirrorsMultiplies) {
                glow + most * 0.5 * sky);
 }
 
+TEST(Mirror, OfMetalShowsNothingWhereReflectionIsOff) {
+  expect_light(
+      look(place(10))
+          + plane("pigment { rgb 1 } finish { ambient 0 diffuse 0.5 reflection { metal \"Au\" } }")
+          + lamp({0, 0, -4}) + "effects { reflection off }\n",
+      Vec3(0.5));
+}
+
 } // namespace
 } // namespace abbe::physics

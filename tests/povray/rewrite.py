@@ -6,8 +6,9 @@
 | `glass {...}` / `glass "X"` in an interior | `ior` and `dispersion` with the same nd and nF - nC |
 | `#declare X = glass {...}`            | dropped; used where `glass { X }` stands |
 | `dispersion {...}`                    | dropped; `{ none }` leaves the `dispersion` number out |
-| `spectral {...}`, `effects {...}`     | dropped |
-| `radiosity`, `photons`, `media`, `subsurface` blocks | dropped: abbe does not render them yet |
+| `spectral {...}`, `effects {...}`, `caustics {...}` | dropped |
+| `radiosity`, `media`, `subsurface` blocks | dropped: abbe does not render them yet |
+| `photons` blocks                      | dropped: abbe is called without thrown light |
 | `spectrum {...}`, `metal`, `glass_catalog` | cannot be rewritten: an error |
 
 Absorption of glasses is lost. An object of glass without a texture is clear in abbe and black in POV-Ray:
@@ -232,7 +233,7 @@ class Rewriter:
                     self.interior(after + 1, close, out)
                     at = close
                     continue
-                elif token.text == 'effects' and self.is_text(after, '{'):
+                elif token.text in ('effects', 'caustics') and self.is_text(after, '{'):
                     self.changed = True
                     at = self.close_of(after) + 1
                     continue

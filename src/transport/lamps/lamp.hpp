@@ -4,10 +4,12 @@
 #include "geometry/world.hpp"
 #include "scene/scene.hpp"
 #include "surface/textures.hpp"
+#include "transport/caustics/emission.hpp"
 #include "transport/lamps/area.hpp"
 #include "transport/lanes.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace abbe::transport {
 
@@ -33,6 +35,7 @@ public:
     std::shared_ptr<geometry::World const> gate;
     bool weakened_by_air = false;
     std::uint16_t group = 0; ///< of lights
+    scene::LampThrows throws;
   };
   explicit Lamp(Common common) : common_(std::move(common)) {}
   virtual ~Lamp() = default;
@@ -42,6 +45,9 @@ public:
   geometry::World const* gate() const { return common_.gate.get(); }
   bool weakened_by_air() const { return common_.weakened_by_air; }
   std::uint16_t group() const { return common_.group; }
+  scene::LampThrows const& throws() const { return common_.throws; }
+  /// Where its rays begin, where they can be followed.
+  virtual std::optional<caustics::LampRays> rays() const { return std::nullopt; }
   /// Light grows near it, to this much at most.
   double brightest_fade() const { return fades() ? 2 : 1; }
 

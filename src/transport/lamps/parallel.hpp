@@ -12,6 +12,9 @@ public:
   /// @param position of a point of the plane that it comes from @param direction unit, of its light
   ParallelLamp(Common common, Vec3 const& position, Vec3 const& direction)
       : Lamp(std::move(common)), position_(position), direction_(direction) {}
+  std::optional<caustics::LampRays> rays() const override {
+    return {{true, position_, direction_}};
+  }
 
 protected:
   void find_ways(Vectors const& points, std::size_t count, Aim& out) const override;

@@ -51,7 +51,7 @@ TEST(Settings, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("global_settings { spectral { spacing boundaries { 500, 400 } } }"), "E0416");
   EXPECT_EQ(codes("global_settings { spectral { unit 0 } }"), "E0353");
   EXPECT_EQ(codes("global_settings { radiosity { count 35 } }"), "E0903");
-  EXPECT_EQ(codes("global_settings { photons { count 20000 media 10 } }"), "E0903");
+  EXPECT_EQ(codes("global_settings { photons { count 20000 media 10 } }"), "E0904 E0903");
   EXPECT_EQ(
       codes("global_settings { number_of_waves 3 charset utf8 hf_gray_16 max_intersections 64 }"),
       "");
@@ -145,7 +145,7 @@ TEST(NotRendered, EveryWordIsReadAndToldOnce) {
   EXPECT_EQ(codes("global_settings { photons { spacing .1 count 100 gather 20, 100 media 10, 1\n"
                   "jitter .4 max_trace_level 4 adc_bailout .01 autostop .5\n"
                   "expand_thresholds .2, 35 radius .1, 2, .1, 2 load_file \"a.ph\" } }"),
-            "E0903");
+            "E0904 E0904 E0903");
   EXPECT_EQ(codes("global_settings { subsurface { samples 50, 50 radiosity off } }"), "E0903");
   EXPECT_EQ(codes("media { absorption .1 emission rgb 1 scattering { 5, .1 eccentricity .3\n"
                   "extinction 1 } method 3 intervals 1 samples 3, 4 confidence .9 variance .1\n"
@@ -161,7 +161,7 @@ TEST(NotRendered, WithoutTheGlobalBlockNothingIsMissing) {
            "sphere { 0, 1 finish { subsurface { translucency .5 anisotropy rgb .1 } }\n"
            "photons { target 1 refraction on reflection off collect on pass_through }\n"
            "radiosity { importance .5 } no_radiosity }\n"
-           "light_source { 0, 1 photons { refraction on reflection on area_light } }");
+           "light_source { 0, 1 photons { refraction on reflection on } }");
 }
 
 TEST(NotRendered, MediaIsToldWhereItIsUsed) {
