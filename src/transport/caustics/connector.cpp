@@ -11,19 +11,13 @@ namespace {
 constexpr double most_slack = 0.5, flat_slack = 0.25;
 constexpr int most_turns = 40;
 
-struct Axes {
-  Vec3 a, b;
-};
-Axes axes_of(Vec3 const& d) {
-  auto const [a, b] = axes_across(d);
-  return {a, b};
-}
+using Axes = std::pair<Vec3, Vec3>;
 
 /// By how much a ray passes a point, on two axes across another ray.
 Vec2 passes(Axes const& axes, Vec3 const& point, Vec3 const& origin, Vec3 const& direction) {
   Vec3 const from = point - origin;
   Vec3 const off = from - glm::dot(from, direction) * direction;
-  return {glm::dot(off, axes.a), glm::dot(off, axes.b)};
+  return {glm::dot(off, axes.first), glm::dot(off, axes.second)};
 }
 
 /// Of half a cell: far more than a root is off.
@@ -157,7 +151,7 @@ void Connector::advance(Task& task, std::size_t first, std::array<double, 2> con
   }
   Vec3 const& x = point_of(task);
   Vec3 const d = rays_.direction.get(first);
-  Axes const axes = axes_of(d);
+  Axes const axes = axes_across(d);
   std::array<Vec2, 3> r;
   for (std::size_t k = 0; k < 3; ++k)
     r[k] = passes(axes, x, rays_.origin.get(first + k), rays_.direction.get(first + k));
@@ -241,7 +235,7 @@ void Connector::measure() {
       }
       Vec3 const& x = point_of(task);
       Vec3 const o = rays_.origin.get(5 * k), d = rays_.direction.get(5 * k);
-      Axes const axes = axes_of(d);
+      Axes const axes = axes_across(d);
       auto const r = [&](std::size_t i) {
         return passes(axes, x, rays_.origin.get(5 * k + i), rays_.direction.get(5 * k + i));
       };

@@ -2,10 +2,12 @@
 #include "transport/caustics/emission.hpp"
 
 #include "simd/math.hpp"
+#include "transport/caustics/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace abbe::transport::caustics {
 namespace {
@@ -28,12 +30,7 @@ Vec3 on_cube(int face, Vec2 const& u) {
 Emission::Emission(LampRays const& lamp, geometry::Bounds const& casters) : lamp_(lamp) {
   if (!lamp.parallel) return;
   Vec3 const d = lamp.direction;
-  Vec3 const least = std::abs(d.x) <= std::abs(d.y) && std::abs(d.x) <= std::abs(d.z)
-                         ? Vec3(1, 0, 0)
-                     : std::abs(d.y) <= std::abs(d.z) ? Vec3(0, 1, 0)
-                                                      : Vec3(0, 0, 1);
-  across_ = glm::normalize(glm::cross(d, least));
-  up_ = glm::cross(d, across_);
+  std::tie(across_, up_) = axes_across(d);
   Vec3 const middle = 0.5 * (casters.low + casters.high);
   half_ = 0.5 * glm::length(casters.high - casters.low) * (1 + 1.0 / 1024);
   centre_ = middle - glm::dot(middle - lamp.position, d) * d;
