@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/shapes/mesh.hpp"
 #include "lang/blocks.hpp"
+#include "lang/scene_patterns.hpp"
 #include "lang/unsupported.hpp"
 #include "simd/math.hpp"
 
@@ -103,12 +104,7 @@ std::shared_ptr<scene::MeshCamera const> read_mesh_camera(Reader& in) {
   Span const span = in.block_span();
   camera->rays_per_pixel = whole(in, "the rays of a pixel", 1, 100000);
   camera->distribution = whole(in, "the distribution of a mesh_camera", 0, 3);
-  if (in.next() == Next::Numeric) {
-    Span const at = in.next_span();
-    if (in.number("the longest way") > 0)
-      in.report(Severity::Error, "E0901",
-                "a bound on the rays of a mesh_camera is not supported yet", at);
-  }
+  if (in.next() == Next::Numeric) camera->longest = in.number("the longest way");
   while (!in.at_end()) {
     Span const at = in.next_span();
     if (in.accept("smooth")) {
@@ -154,6 +150,21 @@ bool read_kind(Reader& in, Camera& camera) {
   return false;
 }
 
+/// `bokeh { pigment { } }`.
+void read_bokeh(Reader& in, Draft& draft) {
+  scene::Pigment pigment = default_texture(in, in.block_span()).pigment;
+  while (!in.at_end()) {
+    if (in.open("pigment")) {
+      read_pigment(in, pigment);
+      in.close();
+    } else {
+      reject(in, "a pigment");
+    }
+  }
+  in.close();
+  draft.camera.bokeh = make_pigment_pattern(std::move(pigment));
+}
+
 /// The lens of focal blur. What says how many rays are enough is checked, and all `blur_samples`
 /// are taken.
 bool read_lens(Reader& in, Draft& draft) {
@@ -172,6 +183,8 @@ bool read_lens(Reader& in, Draft& draft) {
     draft.camera.blur_samples = static_cast<int>(std::min(most, 1e6));
   } else if (in.accept("focal_point")) {
     draft.focal_point = in.vec3("focal_point");
+  } else if (in.open("bokeh")) {
+    read_bokeh(in, draft);
   } else if (in.accept("confidence")) {
     positive("confidence");
   } else if (in.accept("variance")) {
@@ -236,6 +249,8 @@ void aim(Reader& in, Draft& draft) {
 
 void work_in_lens(Reader& in, Draft& draft) {
   Camera& camera = draft.camera;
+  if (camera.bokeh && !(camera.aperture > 0))
+    in.report(Severity::Warning, "E0257", "'bokeh' has no effect without 'aperture'", camera.span);
   if (camera.aperture > 0 && camera.blur_samples <= 0) {
     in.report(Severity::Warning, "E0257", "'aperture' has no effect without 'blur_samples'",
               camera.span);
@@ -325,6 +340,14 @@ void check(Reader& in, Draft& draft) {
             "the camera's right, up and direction lie in one plane: nothing else is seen", c.span);
 }
 
+/// `normal { }`, which stays where it is when the camera is moved.
+void read_camera_normal(Reader& in, Camera& camera) {
+  scene::Normal normal;
+  read_normal(in, normal, {});
+  in.close();
+  if (normal.pattern) camera.normal = std::make_shared<scene::Normal const>(std::move(normal));
+}
+
 } // namespace
 
 scene::Camera read_camera(Reader& in) {
@@ -341,6 +364,8 @@ scene::Camera read_camera(Reader& in) {
     while (!in.at_end()) {
       if (in.accept("angle"))
         read_angle(in, draft);
+      else if (in.open("normal"))
+        read_camera_normal(in, draft.camera);
       else if (!read_kind(in, draft.camera) && !read_vectors(in, draft) && !read_lens(in, draft)
                && !read_transform(in, draft.transform) && !skip_rest_if_unsupported(in))
         reject(in, "a camera item");

@@ -105,8 +105,11 @@ private:
     if (c.aperture > 0)
       more += fmt::format(" aperture {} focal_distance {} blur_samples {}", text(c.aperture),
                           text(c.focal_distance), c.blur_samples);
+    if (c.bokeh) more += " bokeh";
     line("camera {} location {} direction {} up {} right {}{}", kind, text(c.location),
          text(c.direction), text(c.up), text(c.right), more);
+    Deeper const deeper(*this);
+    if (c.normal) normal(*c.normal, "normal");
   }
 
   template <class... A>

@@ -99,6 +99,10 @@ std::shared_ptr<Pattern const> read_pigment_pattern(Reader& in, bool&) {
   scene::Pigment pigment = default_texture(in, in.block_span()).pigment;
   read_pigment(in, pigment);
   in.close();
+  return make_pigment_pattern(std::move(pigment));
+}
+
+std::shared_ptr<Pattern const> make_pigment_pattern(scene::Pigment pigment) {
   return std::make_shared<PigmentPattern>(std::move(pigment));
 }
 

@@ -21,6 +21,8 @@ std::span<ScenePatternKind const> scene_pattern_kinds();
 std::shared_ptr<texture::Pattern const> read_function_pattern(Reader&, bool& encloses);
 std::shared_ptr<texture::Pattern const> read_object_pattern(Reader&, bool& encloses);
 std::shared_ptr<texture::Pattern const> read_pigment_pattern(Reader&, bool& encloses);
+/// The grey value of a pigment.
+std::shared_ptr<texture::Pattern const> make_pigment_pattern(scene::Pigment);
 std::shared_ptr<texture::Pattern const> read_density_file(Reader&, bool& encloses);
 /// Is `function { }` next?
 bool starts_function(Reader&);

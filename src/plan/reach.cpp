@@ -35,7 +35,8 @@ bool corners_of(scene::Object const& object, std::vector<Vec3>& out) {
 
 Reach::Reach(scene::Scene const& scene) : eye_(scene.camera.location) {
   scene::Camera const& camera = scene.camera;
-  if (camera.kind != scene::Camera::Kind::Perspective || camera.aperture > 0) return;
+  if (camera.kind != scene::Camera::Kind::Perspective || camera.aperture > 0 || camera.normal)
+    return;
   std::vector<Vec3> directions;
   // Twice the picture: samples may lie beyond its edge by part of a pixel.
   for (double const x : {-1.0, 1.0})

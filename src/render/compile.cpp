@@ -2,6 +2,7 @@
 #include "render/air_compiler.hpp"
 #include "render/compile_objects.hpp"
 #include "render/media_compiler.hpp"
+#include "render/normal_compiler.hpp"
 #include "scene/object_tree.hpp"
 #include "simd/math.hpp"
 #include "transport/caustics/caustics.hpp"
@@ -149,6 +150,7 @@ Stage compile(scene::Scene const& scene, std::deque<scene::Object>* taken, plan:
   }
   stage.camera = transport::make_camera(scene.camera);
   stage.lens = transport::Lens::of(scene.camera);
+  stage.camera_normal = NormalCompiler(stage.textures).add(scene.camera.normal, Mat3(1));
   stage.eye = scene.camera.location;
   set_limits(scene.settings, stage);
   stage.textures.channels = stage.channels;

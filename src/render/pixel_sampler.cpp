@@ -23,7 +23,7 @@ PixelSampler::PixelSampler(Stage const& stage, RenderOptions const& options, Tra
       options_(options),
       tracer_(tracer),
       frame_key_(options.seed),
-      draws_(!stage.combs.empty() || options.anti_aliasing.jitter != 0
+      draws_(!stage.combs.empty() || stage.lens || options.anti_aliasing.jitter != 0
              || std::ranges::any_of(stage.lamps,
                                     [](auto const& lamp) {
                                       return lamp->area() != nullptr && lamp->area()->grid().jitter;

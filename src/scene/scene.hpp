@@ -162,7 +162,10 @@ struct Object {
   Few<Layers> face_textures;
   std::shared_ptr<Interior const> interior;
   bool inverse = false;
-  bool uv_mapping = false;       ///< of all its textures
+  bool uv_mapping = false; ///< of all its textures
+  /// Surfaces of parts without a texture take those of the parts that they cut; worked in in a
+  /// finished Scene.
+  bool cutaway_textures = false;
   bool global_lights = false;    ///< of a LightGroup: lights outside of it light it too
   std::uint16_t light_group = 0; ///< in a finished Scene: number in Scene::light_groups, or 0
   Throws throws;
@@ -184,6 +187,7 @@ struct MeshCamera {
   /// 0: a mesh a ray; 1: all meshes together; 2: meshes side by side; 3: by uv.
   int distribution = 0;
   bool smooth = false; ///< of distribution 3: normals between the corners'
+  double longest = 0;  ///< what is seen is nearer than this; 0: as far as it may be
   std::vector<std::vector<Face>> meshes;
 };
 
@@ -213,7 +217,13 @@ struct Camera {
   /// along `direction` at which all is sharp, and the rays of a sample. No lens: 0.
   double aperture = 0, focal_distance = 0;
   int blur_samples = 0;
+  /// How densely rays go through the lens, which then is a square, from <0, 0, 0> to <1, 1, 0>:
+  /// values from 0 to 1. Null: a disc, evenly.
+  std::shared_ptr<texture::Pattern const> bokeh;
   std::shared_ptr<MeshCamera const> mesh; ///< of Kind::Mesh
+  /// Tilts its rays; looked up where the kind puts a point of the picture (Camera::place). Not
+  /// moved with the camera.
+  std::shared_ptr<Normal const> normal;
 };
 inline constexpr std::string_view camera_words[] = {
     "perspective", "orthographic", "fisheye",   "ultra_wide_angle", "omnimax",

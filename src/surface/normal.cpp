@@ -72,9 +72,9 @@ Vec3 tilted(Textures const& textures, int number, Vec3 const& point, Vec3 const&
 
 } // namespace
 
-Vec3 tilted_normal(Textures const& textures, CompiledLayer const& layer, Vec3 const& point,
-                   Vec3 const& normal, Sight const& sight) {
-  Vec3 const out = tilted(textures, layer.normal, point, normal, sight);
+Vec3 tilted_normal(Textures const& textures, int number, Vec3 const& point, Vec3 const& normal,
+                   Sight const& sight) {
+  Vec3 const out = tilted(textures, number, point, normal, sight);
   return std::isfinite(out.x + out.y + out.z) ? out : normal;
 }
 

@@ -139,7 +139,7 @@ void Reader::tint_by(Part const& part, Meeting const& meeting, double focus, Pas
     for (int k = 0; k < lanes; ++k)
       left[k] *= pigment.filter * pigment.colour[k] + pigment.transmit;
     if (focus != 0)
-      gather(layer.normal >= 0 ? tilted_normal(textures_, layer, spot.point, outward, sight)
+      gather(layer.normal >= 0 ? tilted_normal(textures_, layer.normal, spot.point, outward, sight)
                                : outward);
   }
   if (focus != 0 && part.layers.empty()) gather(outward);

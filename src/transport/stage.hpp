@@ -123,6 +123,7 @@ struct Stage {
   Vec3 to_sky_offset{0};
   std::unique_ptr<Camera const> camera;
   std::optional<Lens> lens; ///< of focal blur
+  int camera_normal = -1;   ///< in Textures::normals: tilts the camera's rays; -1: nothing does
   Vec3 eye{0};              ///< where the camera stands in the scene, which all else is relative to
   /// A ray with no lane above this throughput is dropped, and one below this
   /// level. What that takes away at most is summed up (CutLight).

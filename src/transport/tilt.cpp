@@ -37,7 +37,7 @@ Tilted tilted(Stage const& stage, Chunk const& chunk, std::size_t r, int number,
     Mat3 const way = placed ? spot.part->linear : Mat3(1);
     Vec3 const inner =
         placed ? glm::normalize(glm::transpose(glm::inverse(way)) * straight) : straight;
-    n = surface::tilted_normal(stage.textures, layer, at.point, inner, meeting.sight);
+    n = surface::tilted_normal(stage.textures, layer.normal, at.point, inner, meeting.sight);
     if (placed) n = glm::normalize(glm::transpose(way) * n);
   }
   double const along = glm::dot(d, n);
@@ -126,6 +126,21 @@ void face_layer(Stage const& stage, Chunk const& chunk, std::size_t r, int layer
   out.normal.set(r, own.normal);
   out.mirrored.set(r, own.mirrored);
   out.cos_i[r] = own.cos_i;
+}
+
+void tilt_camera_rays(Stage const& stage, PicturePoints const& points, std::size_t each,
+                      Rays& rays) {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    Vec2 const place =
+        stage.camera->place(points.x[k] / points.width - 0.5, 0.5 - points.y[k] / points.height);
+    for (std::size_t i = k * each; i < (k + 1) * each; ++i) {
+      Vec3 const straight = rays.direction.get(i);
+      if (straight == Vec3(0)) continue; // shows nothing
+      texture::Sight const sight{straight, straight, place};
+      rays.direction.set(i, surface::tilted_normal(stage.textures, stage.camera_normal,
+                                                   {place.x, place.y, 0}, straight, sight));
+    }
+  }
 }
 
 } // namespace abbe::transport

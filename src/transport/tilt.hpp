@@ -36,4 +36,9 @@ surface::Reader::Meeting meeting_of(Stage const& stage, Chunk const& chunk, std:
 surface::Reader::Meeting straight_meeting_of(Stage const& stage, Chunk const& chunk, std::size_t r,
                                              LayerSpot const& spot = {});
 
+/// Tilts rays of the camera by its own normal. @param each rays of a point, which follow each other
+/// @pre Stage::camera_normal
+void tilt_camera_rays(Stage const& stage, PicturePoints const& points, std::size_t each,
+                      Rays& rays);
+
 } // namespace abbe::transport

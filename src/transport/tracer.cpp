@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace abbe::transport {
 namespace {
@@ -77,8 +78,10 @@ void Tracer::start_camera(PicturePoints const& points, std::span<SampleKey const
   auto const each = static_cast<std::size_t>(rays_of_point(stage_));
   std::size_t const count = points.count * each;
   rays.add(count);
+  first_rays_ = true;
   stage_.camera->rays(points, rays.origin, rays.direction);
   if (stage_.lens) stage_.lens->spread(rays, keys);
+  if (stage_.camera_normal >= 0) tilt_camera_rays(stage_, points, each, rays);
   for (double* const error : {rays.origin_error.x, rays.origin_error.y, rays.origin_error.z})
     std::fill_n(error, count, 0.0);
   std::fill_n(rays.start.begin(), count, geometry::RayStart());
@@ -175,6 +178,9 @@ void Tracer::take_back() {
 
 void Tracer::step(QueueKey const& key, Rays& rays) {
   stage_.world->intersect(rays.lines(starts_), key.mask, nullptr, *scratch_, hits_);
+  if (std::exchange(first_rays_, false) && stage_.camera->longest() < infinity)
+    for (std::size_t k = 0; k < rays.count(); ++k)
+      if (hits_.t[k] > stage_.camera->longest()) hits_.hit[k] = {};
   arrive(rays);
   buckets_.sort({keys_.data(), rays.count()}, hits_.groups);
   buckets_.each([&](BucketKey const& bucket, std::span<std::uint32_t const> places) {

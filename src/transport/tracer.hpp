@@ -139,6 +139,7 @@ private:
   std::atomic<bool> const* stop_ = nullptr;
   Insides insides_;
   std::optional<MediaStacks::Id> camera_stack_; ///< where all start at one point
+  bool first_rays_ = false; ///< the next step is that of the rays of the camera itself
 
   // Of the rays in work.
   geometry::Hits hits_;

@@ -92,7 +92,12 @@ mesh_camera { 1 2 mesh { Half } mesh { Half translate .2*x } } direction -z
 mesh_camera { 1 3 mesh { Quad } } direction -z
 mesh_camera { 1 3 mesh { Quad } smooth } location <0, 0, -.01>
 mesh_camera { 3 0 mesh { Plane } mesh { Half } mesh { Shifted } } direction -z
+mesh_camera { 1 0 5 mesh { Plane } } direction -z
+mesh_camera { 1 0 4.6 mesh { Plane rotate 10*y } } direction -z normal { gradient x 0.2 translate 0.3*x }
 '''.strip().splitlines()
+
+# A normal tilts rays by what it is at the numbers that the projection begins with; the camera's transforms leave it.
+NORMAL = 'normal { gradient <1, 0.3, 0.2> sine_wave bump_size 0.15 scale 0.4 rotate 20*z translate <0.1, 0.2, 0.3> }'
 
 CHOICES = [
     ('', 'perspective', 'orthographic'),
@@ -142,7 +147,11 @@ def cameras() -> list:
         items = [draw.choice(choice) for choice in CHOICES[1:7] + CHOICES[8:]] + [angle]
         draw.shuffle(items)
         made.append(' '.join(item for item in (kind, *items) if item))
-    return made + ['spherical location <0, 0, -3> look_at 0 angle 120, 40',
+    for kind in ('', 'orthographic') + CURVED:
+        made.append(f'{kind} location <0, 0, -3> right 1.2*x look_at 0 {NORMAL} rotate 20*y scale <1, 1.1, 1>')
+    return made + ['location <0, 0, -3> look_at 0 normal { crackle 0.1 scale 0.2 }',
+                   'location <0, 0, -3> look_at 0 normal { bumps 0.4 scale <0.1, 0.2, 1> rotate 30*z }',
+                   'spherical location <0, 0, -3> look_at 0 angle 120, 40',
                    'fisheye location <0, 0, -3> right x up y look_at 0 angle 140',
                    'omnimax location <0, 0, -3> right x up y look_at 0']
 

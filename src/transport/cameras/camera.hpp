@@ -5,6 +5,7 @@
 #include "scene/scene.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 
 namespace abbe::transport {
@@ -40,11 +41,18 @@ public:
   virtual bool sees_all() const { return true; }
   /// So many rays each point of the picture has, whose mean counts; they follow each other.
   virtual int rays_of_point() const { return 1; }
+  /// What is farther away on a ray is not seen.
+  virtual double longest() const { return std::numeric_limits<double>::infinity(); }
   /// @param directions unit; 0 for a point that shows nothing. Origins and directions have room for
   /// all rays of the points
   virtual void rays(PicturePoints const& points, geometry::VectorArrays const& origins,
                     geometry::VectorArrays const& directions) const = 0;
   virtual Footprint footprint(int width, int height) const = 0;
+  /// Where a `normal` of the camera is looked up, <x, y, 0>, for a point of the picture: the
+  /// numbers that its projection begins with.
+  /// @param a from -1/2 at the left to 1/2  @param b from -1/2 at the bottom to 1/2
+  /// @source POV-Ray's pictures: rays of each projection to 2e-5
+  virtual Vec2 place(double a, double b) const { return {a, b}; }
 
 private:
   Vec3 location_;

@@ -27,6 +27,12 @@ struct CameraFrame {
   Vec3 sum(double r, double u, double a) const { return r * right + u * up + a * ahead; }
 };
 
+/// The angle of a point of the plane about its origin, from -90 degrees up to 270.
+inline double turn_of(double x, double y) {
+  double const angle = simd::atan2(y, x);
+  return x < 0 && y < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
 struct CurvedRay {
   Vec3 origin{0};    ///< relative to the camera's location
   Vec3 direction{0}; ///< of any length; 0: the point shows nothing
@@ -34,8 +40,9 @@ struct CurvedRay {
 
 /// A camera whose rays are found point by point.
 /// @tparam Form made of a scene::Camera; ray(a, b): of a point of the picture, a from -1/2 at the
-///         left to 1/2, b from -1/2 at the bottom to 1/2; has_one_point: do all rays start at the
-///         camera? sees_all: has every point a ray? angle_rad(): that the picture's width shows
+///         left to 1/2, b from -1/2 at the bottom to 1/2; place(a, b): Camera::place;
+///         has_one_point: do all rays start at the camera? sees_all: has every point a ray?
+///         angle_rad(): that the picture's width shows
 template <class Form>
 class CurvedCamera final : public Camera {
 public:
@@ -52,6 +59,7 @@ public:
       directions.set(k, length > 0 ? ray.direction / length : Vec3(0));
     }
   }
+  Vec2 place(double a, double b) const override { return form_.place(a, b); }
   Footprint footprint(int width, int height) const override {
     return {0, form_.angle_rad() / std::max(width, height)};
   }

@@ -11,10 +11,14 @@ template <int Type>
 struct Cylinder : CameraFrame {
   using CameraFrame::CameraFrame;
   static constexpr bool has_one_point = Type <= 2, sees_all = true;
+  static constexpr bool upright = Type % 2 == 1;
+  /// The angle and the way along the axis, as they lie in the picture.
+  Vec2 place(double a, double b) const {
+    return upright ? Vec2(a * across_rad, b * up_length) : Vec2(a * right_length, b * across_rad);
+  }
   CurvedRay ray(double a, double b) const {
-    constexpr bool upright = Type % 2 == 1;
-    double const turn = (upright ? a : b) * across_rad;
-    double const along = upright ? b * up_length : a * right_length;
+    Vec2 const at = place(a, b);
+    double const turn = upright ? at.x : at.y, along = upright ? at.y : at.x;
     double const aside = simd::sin(turn), forward = simd::cos(turn);
     Vec3 const round = upright ? sum(aside, 0, forward) : sum(0, aside, forward);
     Vec3 const axis = along * (upright ? up : right);

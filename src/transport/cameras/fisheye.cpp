@@ -18,6 +18,11 @@ struct Fisheye : CameraFrame {
     double const theta = radius * across_rad / 2, aside = simd::sin(theta) / radius;
     return {Vec3(0), sum(x * aside, y * aside, simd::cos(theta))};
   }
+  /// The angles about the axis and from it.
+  Vec2 place(double a, double b) const {
+    double const x = 2 * a * right_length, y = 2 * b * up_length;
+    return {turn_of(x, y), std::sqrt(x * x + y * y) * across_rad / 2};
+  }
   double angle_rad() const { return across_rad * std::max(right_length, up_length); }
 };
 

@@ -81,6 +81,10 @@ public:
         directions.set(k * each + i, ray.direction);
       }
   }
+  double longest() const override {
+    return mesh_->longest > 0 ? mesh_->longest : Camera::longest();
+  }
+  Vec2 place(double, double) const override { return Vec2(0); }
   Footprint footprint(int width, int height) const override {
     return {0, 1.0 / std::max(width, height)};
   }

@@ -22,12 +22,25 @@ struct Omnimax : CameraFrame {
   }
   double scale_x, scale_y, offset_y;
 
+  /// A point on the circle whose radius is 1.
+  Vec2 on_circle(double a, double b) const { return {2 * a * scale_x, 2 * b * scale_y + offset_y}; }
+  /// The angle from the axis.
+  static double theta_of(double radius) {
+    double const radius2 = radius * radius;
+    return radius * (1.411269 + radius2 * (-0.09439 + radius2 * 0.25674));
+  }
+  /// The angles about the axis and from it.
+  Vec2 place(double a, double b) const {
+    Vec2 const at = on_circle(a, b);
+    return {turn_of(at.x, at.y), theta_of(glm::length(at))};
+  }
+
   CurvedRay ray(double a, double b) const {
-    double const x = 2 * a * scale_x, y = 2 * b * scale_y + offset_y;
+    Vec2 const at = on_circle(a, b);
+    double const x = at.x, y = at.y;
     double const radius2 = x * x + y * y;
     if (radius2 > 1) return {};
-    double const radius = std::sqrt(radius2);
-    double const theta = radius * (1.411269 + radius2 * (-0.09439 + radius2 * 0.25674));
+    double const radius = std::sqrt(radius2), theta = theta_of(radius);
     double const aside = radius > 0 ? simd::sin(theta) / radius : 0, forward = simd::cos(theta);
     if (y * aside < -forward) return {};
     return {Vec3(0), sum(x * aside, y * aside, forward)};

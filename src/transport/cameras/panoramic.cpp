@@ -11,8 +11,12 @@ struct Panoramic {
   explicit Panoramic(scene::Camera const& c) : right(c.right), up(c.up), ahead(c.direction) {}
   static constexpr bool has_one_point = true, sees_all = true;
   Vec3 right, up, ahead;
+  Vec2 place(double a, double b) const {
+    return {(0.5 - a) * std::numbers::pi, b * std::numbers::pi};
+  }
   CurvedRay ray(double a, double b) const {
-    double const x = (0.5 - a) * std::numbers::pi, y = b * std::numbers::pi;
+    Vec2 const at = place(a, b);
+    double const x = at.x, y = at.y;
     // cos(x), tan(y), sin(x), times cos(y): straight up is no larger than all else.
     double const level = simd::cos(y);
     return {Vec3(0),

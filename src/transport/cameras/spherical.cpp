@@ -10,8 +10,10 @@ namespace {
 struct Spherical : CameraFrame {
   using CameraFrame::CameraFrame;
   static constexpr bool has_one_point = true, sees_all = true;
+  Vec2 place(double a, double b) const { return {a * across_rad, b * down_rad}; }
   CurvedRay ray(double a, double b) const {
-    return {Vec3(0), turned(turned(ahead, right, -b * down_rad), up, a * across_rad)};
+    Vec2 const at = place(a, b);
+    return {Vec3(0), turned(turned(ahead, right, -at.y), up, at.x)};
   }
   /// Rodrigues' rotation.
   static Vec3 turned(Vec3 const& v, Vec3 const& axis, double angle_rad) {

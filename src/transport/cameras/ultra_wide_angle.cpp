@@ -9,8 +9,12 @@ namespace {
 struct UltraWideAngle : CameraFrame {
   using CameraFrame::CameraFrame;
   static constexpr bool has_one_point = true, sees_all = true;
+  Vec2 place(double a, double b) const {
+    return {a * across_rad, b * across_rad * up_length / right_length};
+  }
   CurvedRay ray(double a, double b) const {
-    double const x = a * across_rad, y = b * across_rad * up_length / right_length;
+    Vec2 const at = place(a, b);
+    double const x = at.x, y = at.y;
     return {Vec3(0), sum(simd::sin(x), simd::sin(y), simd::cos(x) * simd::cos(y))};
   }
   double angle_rad() const { return across_rad; }
