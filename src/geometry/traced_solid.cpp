@@ -3,7 +3,9 @@
 
 #include "geometry/half_space_bounds.hpp"
 #include "geometry/half_spaces.hpp"
+#include "geometry/quadric_bounds.hpp"
 #include "geometry/shapes/convex.hpp"
+#include "geometry/shapes/quadric.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,11 +74,14 @@ bool merges_primitives(CsgTree const& tree) {
 
 namespace {
 
-/// Half-spaces that hold all of the inside of a tree.
+/// Half-spaces and quadrics that hold all of the inside of a tree.
 void half_spaces_of(CsgTree const& tree, std::vector<Placed> const& primitives,
-                    std::vector<HalfSpace>& out) {
+                    std::vector<HalfSpace>& out, std::vector<WorldQuadric>& quadrics) {
   if (tree.op == CsgTree::Op::Primitive) {
     Placed const& placed = primitives[tree.primitive];
+    auto const* const quadric = dynamic_cast<Quadric const*>(&placed.shape());
+    if (quadric != nullptr && !tree.inverse)
+      quadrics.push_back(WorldQuadric::of(placed, quadric->coefficients()));
     std::size_t const first = out.size();
     if (!tree.inverse || is_plane(placed.shape())) placed.half_spaces(out);
     for (std::size_t i = first; tree.inverse && i < out.size(); ++i)
@@ -85,7 +90,7 @@ void half_spaces_of(CsgTree const& tree, std::vector<Placed> const& primitives,
   }
   if (tree.inverse || tree.op == CsgTree::Op::Merge) return;
   for (CsgTree const& child : tree.children) {
-    half_spaces_of(child, primitives, out);
+    half_spaces_of(child, primitives, out, quadrics);
     if (tree.op == CsgTree::Op::Difference) return;
   }
 }
@@ -110,8 +115,10 @@ Bounds bounds_of(CsgTree const& tree, std::vector<Placed> const& primitives) {
   }
   if (!result.infinite || tree.op == CsgTree::Op::Merge) return result;
   std::vector<HalfSpace> spaces;
-  half_spaces_of(tree, primitives, spaces);
-  return bounds_of(spaces);
+  std::vector<WorldQuadric> quadrics;
+  half_spaces_of(tree, primitives, spaces, quadrics);
+  Bounds const by_planes = bounds_of(spaces);
+  return by_planes.infinite ? bounds_of(spaces, quadrics) : by_planes;
 }
 
 TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& primitives,

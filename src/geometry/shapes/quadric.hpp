@@ -49,6 +49,9 @@ public:
   Bounds bounds() const override { return bounds_; }
   void half_spaces(std::vector<HalfSpace>& out) const override;
 
+  /// A to J, as written.
+  std::array<double, 10> const& coefficients() const { return k_; }
+
 private:
   double value(Vec3 const& point) const;
   std::array<double, 10> k_;

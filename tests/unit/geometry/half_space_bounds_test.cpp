@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "geometry/half_space_bounds.hpp"
 #include "geometry/shapes/plane.hpp"
 #include "geometry/shapes/quadric.hpp"
@@ -80,10 +81,75 @@ TEST(HalfSpaceBounds, OfWhatIsTakenAwayCountForNothing) {
   EXPECT_FALSE(bounds_of_all(Op::Intersection, shapes).infinite);
 }
 
-TEST(HalfSpaceBounds, AreInfiniteForAParaboloidUnderAPlane) {
+TEST(QuadricBounds, OfAParaboloidUnderAPlaneAreFinite) {
   // x^2 + y^2 <= z, z <= 4
   PlacedShape const paraboloid = *make_quadric({1, 1, 0, 0, 0, 0, 0, 0, -1, 0});
-  EXPECT_TRUE(bounds_of_all(Op::Intersection, {paraboloid, *make_plane({0, 0, 1}, 4)}).infinite);
+  Bounds const box = bounds_of_all(Op::Intersection, {paraboloid, *make_plane({0, 0, 1}, 4)});
+  ASSERT_FALSE(box.infinite);
+  EXPECT_NEAR(box.low.x, -2, 1e-9);
+  EXPECT_NEAR(box.high.y, 2, 1e-9);
+  EXPECT_NEAR(box.low.z, 0, 1e-9);
+  EXPECT_NEAR(box.high.z, 4, 1e-9);
+  EXPECT_TRUE(bounds_of_all(Op::Intersection, {paraboloid, *make_plane({1, 0, 0}, 4)}).infinite);
+}
+
+TEST(QuadricBounds, OfAHyperboloidBetweenTwoPlanesIsItsWiderEnd) {
+  // x^2 - y^2 + z^2 = 1 for y from -2 to 1, twice as wide along x, three above (5, 0, 0).
+  Transform const place = Transform::scaling({2, 1, 1}).then(Transform::translation({5, 3, 0}));
+  for (double const turn : {0.0, 90.0, 180.0}) {
+    Transform const turned = place.then(Transform::rotation({0, turn, 0}));
+    Bounds const box = bounds_of_all(
+        Op::Intersection,
+        {moved(*make_quadric({1, -1, 1, 0, 0, 0, 0, 0, 0, -1}), turned),
+         moved(*make_plane({0, 1, 0}, 1), turned), moved(*make_plane({0, -1, 0}, 2), turned)});
+    ASSERT_FALSE(box.infinite) << turn;
+    Vec3 const low = turned.point({-std::sqrt(5.0), -2, -std::sqrt(5.0)}),
+               high = turned.point({std::sqrt(5.0), 1, std::sqrt(5.0)});
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(box.low[axis], std::min(low[axis], high[axis]));
+      EXPECT_NEAR(box.low[axis], std::min(low[axis], high[axis]), 1e-8);
+      EXPECT_GE(box.high[axis], std::max(low[axis], high[axis]));
+      EXPECT_NEAR(box.high[axis], std::max(low[axis], high[axis]), 1e-8);
+    }
+  }
+}
+
+TEST(QuadricBounds, HoldWhatIsInside) {
+  // Quadrics of any coefficients between planes square to the axes: points inside of all are in the
+  // box.
+  RandomKey const key(42);
+  int bounded = 0, inside = 0;
+  for (std::uint64_t n = 0; n < 3000; ++n) {
+    auto const draw = [&](std::uint64_t d) { return 2 * key.child(n).uniform(d) - 1; };
+    std::array<double, 10> k{};
+    for (std::uint64_t i = 0; i < 10; ++i) k[i] = std::abs(draw(40 + i)) < 0.4 ? 0 : draw(i);
+    auto const quadric = make_quadric(k);
+    if (!quadric) continue;
+    Transform const place = Transform::scaling({1 + draw(20) / 2, 1, 1 + draw(21) / 2})
+                                .then(Transform::translation({draw(22), 3 * draw(23), 0}));
+    double const above = 1 + draw(24), below = 1 + draw(25);
+    Bounds const box =
+        bounds_of_all(Op::Intersection, {moved(*quadric, place), *make_plane({0, 1, 0}, above),
+                                         *make_plane({0, -1, 0}, below)});
+    if (box.infinite) continue;
+    ++bounded;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      auto const at = [&](std::uint64_t d) { return key.child(n).child(i).uniform(d); };
+      Vec3 const middle = 0.5 * (box.low + box.high);
+      Vec3 const p =
+          middle + 2.0 * (box.high - middle) * (2.0 * Vec3(at(0), at(1), at(2)) - Vec3(1));
+      if (p.y > above || -p.y > below
+          || !quadric->shape->inside(place.inverse_linear * p + place.inverse_offset))
+        continue;
+      ++inside;
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LE(box.low[axis], p[axis]);
+        EXPECT_GE(box.high[axis], p[axis]);
+      }
+    }
+  }
+  EXPECT_GT(bounded, 10);
+  EXPECT_GT(inside, 500);
 }
 
 } // namespace
