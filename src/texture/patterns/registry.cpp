@@ -18,6 +18,7 @@
 #include "texture/patterns/ripples.hpp"
 #include "texture/patterns/slope.hpp"
 #include "texture/patterns/spiral.hpp"
+#include "texture/patterns/tiling.hpp"
 #include "texture/patterns/tilings.hpp"
 #include "texture/patterns/wood.hpp"
 #include "texture/patterns/wrinkles.hpp"
@@ -60,6 +61,7 @@ std::span<PatternKind const> pattern_kinds() {
       {"spiral2", read_spiral2},
       {"spotted", read_spotted},
       {"square", read_square},
+      {"tiling", read_tiling},
       {"triangular", read_triangular},
       {"waves", read_waves},
       {"wood", read_wood},

@@ -87,7 +87,7 @@ TEST(Pigment, MistakesAreNamedOnce) {
   EXPECT_EQ(codes("sphere { 0, 1 texture { checker texture { } texture { T2 } scale 2 } }"),
             "E0202");
   EXPECT_EQ(codes("sphere { 0, 1 texture { bozo scale 2 } }"), "E0250");
-  EXPECT_EQ(codes("sphere { 0, 1 pigment { rgb 1 } normal { tiling 3 } }"), "E0901");
+  EXPECT_EQ(codes("sphere { 0, 1 pigment { rgb 1 } normal { pavement } }"), "E0901");
 }
 
 } // namespace

@@ -41,7 +41,8 @@ TEST(Patterns, AgreeWithPovrayToTwelveDecimals) {
         << row.pattern << " at " << row.point.x << ' ' << row.point.y << ' ' << row.point.z;
   }
   // POV-Ray makes no functions of these; tests/povray compares pictures of them.
-  for (char const* const pictured : {"aoi", "average", "facets", "slope", "square", "triangular"})
+  for (char const* const pictured :
+       {"aoi", "average", "facets", "slope", "square", "tiling", "triangular"})
     seen.insert(pictured);
   for (PatternKind const& kind : pattern_kinds())
     EXPECT_TRUE(seen.count(std::string(kind.keyword))) << kind.keyword << " is not compared";
