@@ -29,10 +29,10 @@ public:
 
   virtual ~ScalarField() = default;
   virtual double value(Vec3 const& point) const = 0;
-  /// Over origin + t direction, t in `part`. Also where it is a single number: then the width of
-  /// the value is the bound of its rounding.
+  /// Encloses what the field does at origin + t direction, t in `part`. Where `part` is a single
+  /// number, the width of the value is the bound of its rounding.
   virtual Along along(Vec3 const& origin, Vec3 const& direction, Interval const& part) const = 0;
-  /// The same of several pieces, with the value in the middle of each.
+  /// Looks at several pieces as along() does at one, and at the value in the middle of each.
   virtual void along_each(Vec3 const& origin, Vec3 const& direction, LinePieces& pieces) const {
     for (int i = 0; i < pieces.count; ++i) {
       Interval const part(pieces.low[i], pieces.high[i]);

@@ -15,11 +15,11 @@ struct Polynomial {
   unsigned degree, inner;
   std::array<std::uint32_t, 3> first;
 };
-/// Of dimensions 1 to 3; dimension 0 is van der Corput's sequence.
+/// These make dimensions 1 to 3; dimension 0 is van der Corput's sequence.
 constexpr std::array<Polynomial, dimensions - 1> polynomials{
     {{1, 0, {1}}, {2, 1, {1, 3}}, {3, 1, {1, 3, 1}}}};
 
-/// What each bit of an index adds (exclusive or).
+/// Each bit of an index adds one of these (exclusive or).
 using Columns = std::array<std::uint32_t, 32>;
 
 constexpr Columns columns_of(unsigned dimension) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <set>
 
 namespace abbe::cli {
 namespace {
@@ -39,9 +40,14 @@ bool glows(scene::Layers const& layers, scene::Settings const& settings) {
   });
 }
 
-bool glows(scene::Object const& object, scene::Settings const& settings) {
+/// @param seen instances that were looked at
+bool glows(scene::Object const& object, scene::Settings const& settings,
+           std::set<scene::Object const*>& seen) {
   auto const layers_glow = [&](scene::Layers const& layers) { return glows(layers, settings); };
-  auto const object_glows = [&](scene::Object const& part) { return glows(part, settings); };
+  auto const object_glows = [&](scene::Object const& part) { return glows(part, settings, seen); };
+  if (object.instance && seen.insert(object.instance.get()).second
+      && object_glows(*object.instance))
+    return true;
   return layers_glow(*object.texture) || layers_glow(*object.interior_texture)
          || std::any_of(object.face_textures.begin(), object.face_textures.end(), layers_glow)
          || std::any_of(object.clipped_by.begin(), object.clipped_by.end(), object_glows)
@@ -81,9 +87,10 @@ std::string hint_of_scene(std::string const& path) {
 std::string nothing_to_see(scene::Scene const& scene) {
   if (scene.sky_sphere || has_light(scene.background) || !scene.fogs.empty()) return {};
   if (scene.objects.empty()) return "the scene has no objects, no sky and no background";
+  std::set<scene::Object const*> seen;
   bool const glow =
       std::any_of(scene.objects.begin(), scene.objects.end(),
-                  [&](scene::Object const& object) { return glows(object, scene.settings); });
+                  [&](scene::Object const& object) { return glows(object, scene.settings, seen); });
   if (!scene.lights.empty() || glow) return {};
   return "nothing gives light: the scene has no light_source, no ambient or emission, no sky and "
          "no "

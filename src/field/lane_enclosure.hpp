@@ -148,7 +148,7 @@ Known<L> magnitude(Known<L> const& a) {
 template <class L>
 Known<L> root(Known<L> const& a) {
   L const zero(0.0);
-  // What of it is below zero is undefined, and what is made of it need not be continuous.
+  // Below zero the root is undefined, and what is made of it need not be continuous.
   auto const partly = a.v.low < zero;
   L const low = lane::max(zero, a.v.low), high = lane::max(zero, a.v.high);
   Span<L> v = widened(lane::sqrt(low), lane::sqrt(high));

@@ -16,10 +16,12 @@ std::unique_ptr<LaneTree const> LaneTree::of(CsgTree const& tree, CsgProgram con
     if (!placed.shape().solid()) return nullptr;
     EndsKernel const* kernel = placed.shape().ends_kernel();
     if (kernel != nullptr && !kernel->ends_visible()) kernel = nullptr;
+    GapKernel const* const gap = kernel == nullptr ? placed.shape().gap_kernel() : nullptr;
     Bounds const bounds = placed.bounds();
-    if (kernel == nullptr && bounds.infinite) return nullptr;
-    any_kernel = any_kernel || kernel != nullptr;
-    result->operands_.push_back({operands[i], kernel, bounds, program.hidden(i)});
+    bool const asked = kernel != nullptr || gap != nullptr;
+    if (!asked && bounds.infinite) return nullptr;
+    any_kernel = any_kernel || asked;
+    result->operands_.push_back({operands[i], kernel, gap, bounds, program.hidden(i)});
   }
   if (!any_kernel || !result->flatten(tree, program)) return nullptr;
   return result;

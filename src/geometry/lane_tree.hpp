@@ -3,7 +3,7 @@
 
 #include "geometry/convex_cut.hpp"
 #include "geometry/fan_cut.hpp"
-#include "geometry/shapes/convex.hpp"
+#include "geometry/shapes/gap_kernel.hpp"
 
 #include <array>
 #include <memory>
@@ -26,7 +26,9 @@ public:
 
   struct Operand {
     PrimitiveId primitive;
-    EndsKernel const* kernel; ///< null: of other shapes, for which the lanes must not come near it
+    /// Both are null of other shapes, for which the lanes must not come near it.
+    EndsKernel const* kernel;
+    GapKernel const* gap; ///< that of a shape without the first
     Bounds bounds;
     bool bounded() const { return !bounds.infinite; }
     bool hidden; ///< only there to clip
@@ -91,7 +93,7 @@ struct TreeOperands {
       Near& next = near[count];
       next.starts = find_start(from, operand.primitive, next.start);
       if (!next.starts && operand.bounded() && misses(operand)) continue;
-      if (operand.kernel == nullptr) return false;
+      if (operand.kernel == nullptr && (operand.gap == nullptr || next.starts)) return false;
       next.operand = i;
       next.place = static_cast<double>(i);
       next.seen = operand.hidden ? 0.0 : 1.0;
@@ -126,14 +128,28 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
   Mask const no = one < zero;
   std::array<Ends<L>, LaneTree::most_operands> all;
   std::array<Mask, LaneTree::most_operands> inside;
+  std::array<L, LaneTree::most_operands> outside; // 1: between the ends it is outside
   for (std::size_t k = 0; k < tree.operands().size(); ++k) inside[k] = no;
   std::size_t const count = operands.count;
+  Mask alike = no;
+  auto const either_but_both = [](Mask const& a, Mask const& b) {
+    return lane::either(lane::both(a, lane::negate(b)), lane::both(b, lane::negate(a)));
+  };
   for (std::size_t i = 0; i < count; ++i) {
     TreeOperands::Near const& near = operands.near[i];
     LaneTree::Operand const& operand = tree.operands()[near.operand];
     Ends<L>& ends = all[i];
-    operand.kernel->ends(primitives[operand.primitive].line<L>(rays.origin, rays.direction),
-                         near.starts ? &near.start : nullptr, ends);
+    outside[i] = zero;
+    if (Placed const& placed = primitives[operand.primitive]; operand.kernel != nullptr) {
+      operand.kernel->ends(placed.line<L>(rays.origin, rays.direction),
+                           near.starts ? &near.start : nullptr, ends);
+    } else {
+      Gap<L> gap;
+      operand.gap->gap(placed.line<L>(rays.origin, rays.direction), gap);
+      ends = gap.between;
+      outside[i] = gap.outside;
+      alike = lane::either(alike, zero < gap.alike);
+    }
     // What is at the start, or behind it, is done with; what has its end there is not met.
     L const blurred = near.starts || !departs ? zero : one;
     auto const past = [&](L const& t, L const& error) { return t <= blurred * error; };
@@ -144,10 +160,10 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
     ends.out_t = lane::select(met, ends.out_t, far);
     ends.in_error = L(group_margin) * ends.in_error;
     ends.out_error = L(group_margin) * ends.out_error;
-    inside[near.operand] = lane::both(met, begun);
+    inside[near.operand] = either_but_both(lane::both(met, begun), zero < outside[i]);
   }
-  Mask value = tree.value(inside), pending = zero < one;
-  TreeEnd<L> first{no, no, no, no, -one, far, zero, zero, far};
+  Mask value = tree.value(inside), pending = lane::negate(alike);
+  TreeEnd<L> first{alike, no, no, no, -one, far, zero, zero, far};
   L done = zero; // how far along the line
   for (;;) {
     L t = far, error = zero, face = zero, place = -one, enters = zero, seen = zero;
@@ -163,8 +179,8 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
         place = lane::select(nearer, here, place);
         seen = lane::select(nearer, visible, seen);
       };
-      take(ends.in_t, ends.in_error, ends.in_face, one);
-      take(ends.out_t, ends.out_error, ends.out_face, zero);
+      take(ends.in_t, ends.in_error, ends.in_face, one - outside[i]);
+      take(ends.out_t, ends.out_error, ends.out_face, outside[i]);
     }
     pending = lane::both(pending, lane::both(t < far, t - error <= until));
     if (lane::none(pending)) return first;
@@ -175,14 +191,14 @@ TreeEnd<L> first_end_of(LaneTree const& tree, TreeOperands const& operands,
         return lane::select(lane::abs(its_t - t) <= L(clearance) * (its_error + error), one, zero);
       };
       crowd = crowd + near(ends.in_t, ends.in_error) + near(ends.out_t, ends.out_error);
-      inside[operands.near[i].operand] = lane::both(ends.in_t <= t, t < ends.out_t);
+      inside[operands.near[i].operand] =
+          either_but_both(lane::both(ends.in_t <= t, t < ends.out_t), zero < outside[i]);
     }
     Mask const crowded = lane::both(pending, one < crowd);
     first.unclear = lane::either(first.unclear, crowded);
     pending = lane::both(pending, lane::negate(crowded));
     Mask const after = tree.value(inside);
-    Mask const changed = lane::either(lane::both(after, lane::negate(value)),
-                                      lane::both(value, lane::negate(after)));
+    Mask const changed = either_but_both(after, value);
     Mask const shown = lane::both(pending, lane::both(changed, zero < seen));
     first.found = lane::either(first.found, shown);
     first.enters = lane::either(first.enters, lane::both(shown, zero < enters));

@@ -30,6 +30,8 @@ public:
   Transform inverse() const { return transform().inverse(); }
   Vec3 point(Vec3 const& p) const { return transform().point(p); }
   Vec3 vector(Vec3 const& v) const { return transform().vector(v); }
+  /// Never moved.
+  bool none() const { return !whole_ && scale_ == Vec3(1) && offset_ == Vec3(0); }
   /// By place and direction; its error bounds may say more than those of none.
   bool identity() const {
     return whole_ ? whole_->identity() : scale_ == Vec3(1) && offset_ == Vec3(0);

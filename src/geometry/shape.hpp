@@ -73,6 +73,7 @@ struct HalfSpace {
 };
 
 class EndsKernel;
+class GapKernel;
 class NormalKernel;
 
 /// How much of its own boundary a shape shows.
@@ -131,6 +132,10 @@ public:
   virtual bool one_interval() const { return false; }
   /// The shape as a kernel without lists (shapes/convex.hpp), where it is one.
   virtual EndsKernel const* ends_kernel() const { return nullptr; }
+  /// What can be seen of it as a kernel, for a solid of it alone, where ends_kernel() knows more.
+  virtual EndsKernel const* surface_kernel() const { return nullptr; }
+  /// The shape as a kernel of two roots (shapes/gap_kernel.hpp), where it is no convex one.
+  virtual GapKernel const* gap_kernel() const { return nullptr; }
   /// Appends half-spaces that hold all of its inside, where bounds() are infinite: together with
   /// others they may be finite.
   virtual void half_spaces(std::vector<HalfSpace>& /*out*/) const {}

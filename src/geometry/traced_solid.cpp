@@ -130,7 +130,7 @@ TracedSolid::TracedSolid(World::Solid const& source, std::vector<Placed> const& 
     Shape const& shape = primitives[only_].shape();
     convex_ = shape.one_interval();
     EndsKernel const* const ends = shape.ends_kernel();
-    if (ends != nullptr && ends->ends_visible()) ends_ = ends;
+    ends_ = ends != nullptr && ends->ends_visible() ? ends : shape.surface_kernel();
   } else {
     tree_ = make_tree(source.tree, primitives);
   }

@@ -40,7 +40,7 @@ public:
   CsgProgram const* program() const { return tree_ ? &tree_->program : nullptr; }
   /// Without a program: the one primitive (inverse(): inside and outside swapped).
   PrimitiveId only() const { return only_; }
-  /// Of the one primitive where it is a convex shape with both ends visible; else null.
+  /// Of the one primitive where it is a convex shape: what can be seen of it. Else null.
   EndsKernel const* ends() const { return ends_; }
   bool inverse() const { return inverse_; }
   /// For fan_cut.hpp and lane_tree.hpp, or null.

@@ -38,6 +38,8 @@ struct Image {
 };
 Image image(Mat3 const& m, Mat3 const& m_error, Vec3 const& v, Vec3 const& v_error,
             Vec3 const& w = Vec3(0), Vec3 const& w_error = Vec3(0)) {
+  // As the sums below would have it: nothing is rounded, and no zero is negative.
+  if (v == Vec3(0) && v_error == Vec3(0)) return {w + 0.0, w_error + 0.0};
   Image result;
   for (int row = 0; row < 3; ++row) {
     Sum sum, off;
@@ -60,6 +62,10 @@ struct Product {
   Mat3 value{0}, error{0};
 };
 Product product(Mat3 const& a, Mat3 const& a_error, Mat3 const& b, Mat3 const& b_error) {
+  Mat3 const zero(0), unit(1);
+  // As image() would have it.
+  if (a == unit && a_error == zero) return {b + zero, b_error + zero};
+  if (b == unit && b_error == zero) return {a + zero, a_error + zero};
   Product result;
   for (int column = 0; column < 3; ++column) {
     Image const made = image(a, a_error, b[column], b_error[column]);

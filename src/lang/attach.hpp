@@ -6,6 +6,9 @@
 /// Textures, interiors and transforms as they are attached to objects.
 namespace abbe::lang {
 
+/// Do the layers look alike everywhere? Such have no place, and objects share them wherever they
+/// stand.
+bool is_plain(scene::SharedLayers const&);
 void transform_layers(scene::Layers&, geometry::Transform const&);
 /// Gives a layer another pigment, which stays where it is if the layer was moved before.
 void set_pigment(scene::Texture& layer, scene::Pigment pigment);

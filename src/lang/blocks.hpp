@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "lang/instances.hpp"
 #include "lang/reader.hpp"
 #include "optics/data_library.hpp"
 
@@ -29,6 +30,9 @@ struct SceneState {
   scene::Texture default_texture; ///< to be read through default_texture()
   scene::Camera default_camera;
   Few<Diagnostic> deferred_of_texture, deferred_of_camera; ///< what of these is not supported yet
+  int defaults_read = 0;                                   ///< `#default`s so far
+  Instances instances;                                     ///< what is stored once
+  PlainTextures plain_textures;
   double effective_version = 3.62;
   int default_noise_generator = 2;
   int number_of_waves = 10; ///< sources of ripples and waves
@@ -103,6 +107,9 @@ bool read_object_modifier(Reader&, scene::Object&);
 void deepen(scene::Object&);
 /// Applies a transform to an object with all that is attached to it so far.
 void transform_object(scene::Object&, geometry::Transform const&);
+/// transform_object() of an object that nothing is given to any more: layers that look alike
+/// everywhere stay where they are, and stay shared.
+void transform_settled(scene::Object&, geometry::Transform const&);
 /// Inserts a copy of the object into the scene: see scene::Object for what that settles.
 void place_object(scene::Object, Reader&);
 // transform.cpp

@@ -165,8 +165,7 @@ void read_bokeh(Reader& in, Draft& draft) {
   draft.camera.bokeh = make_pigment_pattern(std::move(pigment));
 }
 
-/// The lens of focal blur. What says how many rays are enough is checked, and all `blur_samples`
-/// are taken.
+/// The lens of focal blur.
 bool read_lens(Reader& in, Draft& draft) {
   auto const positive = [&](std::string_view name) {
     Span const at = in.next_span();
@@ -186,9 +185,9 @@ bool read_lens(Reader& in, Draft& draft) {
   } else if (in.open("bokeh")) {
     read_bokeh(in, draft);
   } else if (in.accept("confidence")) {
-    positive("confidence");
+    draft.camera.blur_confidence = positive("confidence");
   } else if (in.accept("variance")) {
-    positive("variance");
+    draft.camera.blur_variance = positive("variance");
   } else {
     return false;
   }

@@ -217,8 +217,42 @@ std::uint16_t add_light_group(Object const& object, std::uint16_t outer, Reader&
   return static_cast<std::uint16_t>(groups.size());
 }
 
-/// `object` is in world space already, except for its children.
-void settle(Object& object, Inherited const& from, Reader& in) {
+/// Where an object stands while it is settled.
+struct Where {
+  bool in_unions = true;    ///< all that it is part of are unions, of which nothing is cut away
+  bool in_instance = false; ///< it is part of what is stored once
+  bool begins = false;      ///< it is the whole of that
+};
+void settle(Object& object, Inherited const& from, Where where, Reader& in);
+
+/// What is stored once for all unions that have the same parts and textures, in its own space.
+std::shared_ptr<Object const> instance_of(Object const& object, Inherited const& to, Reader& in) {
+  SceneState& state = scene_state(in.interpreter());
+  auto& known = state.instances.find(object.children, to.texture, state.defaults_read);
+  if (known) return known;
+  Object made;
+  made.kind = Object::Kind::Union;
+  made.span = object.span;
+  made.children = object.children;
+  Inherited own;
+  own.texture = to.texture;
+  settle(made, own, {true, true, true}, in);
+  known = std::make_shared<Object const>(std::move(made));
+  return known;
+}
+
+bool is_instance(Object const& object, Inherited const& to, Where where, Reader& in) {
+  if (!where.in_unions || object.kind != Object::Kind::Union || object.inverse
+      || !object.clipped_by.empty() || to.interior || to.interior_texture || to.uv_mapping)
+    return false;
+  SceneState& state = scene_state(in.interpreter());
+  scene::SharedLayers const by_default = scene::Layers(1, state.default_texture);
+  return Instances::may_have(to.texture) && Instances::may_have(by_default)
+         && state.instances.wants(object, where.in_instance);
+}
+
+void settle(Object& object, Inherited const& from, Where where, Reader& in) {
+  scene_state(in.interpreter()).plain_textures.share(object.texture);
   Inherited to = inherit(object, from);
   object.bounded_by.clear();
   for (Object& clip : object.clipped_by) flatten_clip(clip);
@@ -236,12 +270,22 @@ void settle(Object& object, Inherited const& from, Reader& in) {
   object.lights.clear();
   if (object.kind == Object::Kind::Shape) {
     settle_leaf(object, to, in);
+    if (!where.in_instance) scene_state(in.interpreter()).instances.count_copy();
+    return;
+  }
+  if (!group && !where.begins && is_instance(object, to, where, in)) {
+    object.instance = instance_of(object, to, in);
+    object.children.clear();
+    object.texture.reset();
     return;
   }
   geometry::Transform const placement = object.placement;
+  Where const below{where.in_unions && object.kind == Object::Kind::Union && !object.inverse
+                        && object.clipped_by.empty(),
+                    where.in_instance};
   for (Object& child : object.children) {
-    transform_object(child, placement);
-    settle(child, to, in);
+    transform_settled(child, placement);
+    settle(child, to, below, in);
   }
   object.placement = {};
 }
@@ -249,8 +293,8 @@ void settle(Object& object, Inherited const& from, Reader& in) {
 } // namespace
 
 void place_object(scene::Object object, Reader& in) {
-  settle(object, {}, in);
-  if (object.kind == Object::Kind::Shape || !object.children.empty())
+  settle(object, {}, {}, in);
+  if (object.kind == Object::Kind::Shape || object.instance || !object.children.empty())
     scene_state(in.interpreter()).scene.objects.push_back(std::move(object));
 }
 

@@ -21,6 +21,7 @@ void read_default_texture(Reader& in, SceneState& state) {
 
 void read_default(Reader& in) {
   SceneState& state = scene_state(in.interpreter());
+  ++state.defaults_read;
   while (!in.at_end()) {
     Deferral deferral(in.interpreter());
     if (in.open("texture")) {

@@ -275,6 +275,12 @@ private:
     if (shape) surface(o);
     for (Object const& clip : o.clipped_by) object(clip, "clipped_by ");
     for (Object const& child : o.children) object(child, "");
+    if (!o.instance) return;
+    auto const [known, fresh] = instances_.try_emplace(o.instance.get(), instances_.size() + 1);
+    line("instance {}", known->second);
+    placement(o.placement);
+    if (fresh)
+      for (Object const& child : std::as_const(*o.instance).children) object(child, "");
   }
 
   void surface(Object const& o) {
@@ -386,6 +392,7 @@ private:
 
   std::string out_;
   int depth_ = 0;
+  std::map<Object const*, std::size_t> instances_; ///< numbers of those that were shown
 };
 
 } // namespace

@@ -52,6 +52,9 @@ struct EvaluateOptions {
   /// that.
   std::size_t whole_text = std::size_t{1} << 20;
   std::size_t text_piece = std::size_t{1} << 16;
+  /// Shapes that are copied where declared objects are placed, before such are stored once
+  /// (lang/instances.hpp).
+  double most_copied_shapes = 0x1p20;
   /// Set from outside (an interrupt), it ends the evaluation at the next step.
   std::atomic<bool> const* stop = nullptr;
 };

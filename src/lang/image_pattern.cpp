@@ -11,6 +11,7 @@
 #include "texture/patterns/image.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace abbe::lang {
@@ -33,6 +34,26 @@ struct Gamma {
     double const light = file < 0 ? image::srgb_decode(code) : simd::pow(code, file);
     return working < 0 ? image::srgb_encode(light) : simd::pow(light, 1 / working);
   }
+};
+
+/// A Gamma that knows codes that come again: most files have 256 of them.
+class KnownGamma {
+public:
+  explicit KnownGamma(Gamma const& gamma) : gamma_(gamma) {}
+  float operator()(float code) {
+    auto const bits = std::bit_cast<std::uint32_t>(code);
+    Known& known = known_[(bits * 0x9e3779b1U) >> 22];
+    if (known.bits != bits) known = {bits, static_cast<float>(gamma_(static_cast<double>(code)))};
+    return known.value;
+  }
+
+private:
+  struct Known {
+    std::uint32_t bits = 0xffffffffU; ///< of no number
+    float value = 0;
+  };
+  Gamma gamma_;
+  std::vector<Known> known_ = std::vector<Known>(1024);
 };
 
 Gamma gamma_of(Reader& in, Texels const& texels, double written, bool colours) {
@@ -127,11 +148,9 @@ std::shared_ptr<Picture> picture_of(Texels const& texels, Gamma const& gamma, bo
   out->height = texels.height;
   out->index = texels.index;
   out->texels.resize(texels.rgba.size() / 4);
+  KnownGamma light(gamma);
   for (std::size_t k = 0; k < out->texels.size(); ++k) {
     float const* const from = &texels.rgba[4 * k];
-    auto const light = [&](float code) {
-      return static_cast<float>(gamma(static_cast<double>(code)));
-    };
     float const share = divide && from[3] > 0 ? from[3] : 1;
     out->texels[k] = {light(from[0]) / share, light(from[1]) / share, light(from[2]) / share, 0,
                       1 - from[3]};

@@ -27,6 +27,7 @@ Interpreter::Interpreter(EvaluateOptions const& options, SourceSet& sources)
   for (auto const& function : builtins()) scope.intern(function.name);
   stack_limit_ = stack_pointer() - stack_share;
   state.scene.settings.effects.strict = options.strict;
+  state.instances.most_copied = options.most_copied_shapes;
 }
 
 ast::Document const& Interpreter::document(SourceFile const& source) {

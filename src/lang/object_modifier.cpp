@@ -113,16 +113,35 @@ bool read_object_modifier(Reader& in, Object& object) {
          || read_hint(in) || read_object_light(in, object);
 }
 
-void transform_object(Object& object, geometry::Transform const& transform) {
+namespace {
+
+/// @param move moves the layers of a texture
+template <class Move>
+void transform_with(Object& object, geometry::Transform const& transform, Move const& move) {
   if (transform.none()) return;
   object.placement = object.placement.then(transform);
-  if (object.texture && !object.uv_mapping) transform_layers(*object.texture, transform);
-  if (object.interior_texture && !object.uv_mapping)
-    transform_layers(*object.interior_texture, transform);
+  if (!object.uv_mapping) {
+    move(object.texture);
+    move(object.interior_texture);
+  }
   for (scene::Layers& layers : object.face_textures) transform_layers(layers, transform);
   for (Object& clip : object.clipped_by) transform_object(clip, transform);
   for (Object& bound : object.bounded_by) transform_object(bound, transform);
   for (scene::Light& light : object.lights) transform_light(light, transform);
+}
+
+} // namespace
+
+void transform_object(Object& object, geometry::Transform const& transform) {
+  transform_with(object, transform, [&](scene::SharedLayers& layers) {
+    if (layers) transform_layers(*layers, transform);
+  });
+}
+
+void transform_settled(Object& object, geometry::Transform const& transform) {
+  transform_with(object, transform, [&](scene::SharedLayers& layers) {
+    if (layers && !is_plain(layers)) transform_layers(*layers, transform);
+  });
 }
 
 } // namespace abbe::lang

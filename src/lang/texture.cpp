@@ -8,6 +8,12 @@
 
 namespace abbe::lang {
 
+bool is_plain(scene::SharedLayers const& layers) {
+  return std::ranges::all_of(*layers, [](scene::Texture const& layer) {
+    return !layer.map && !layer.normal && !layer.uv && !layer.pigment.pattern;
+  });
+}
+
 void transform_layers(scene::Layers& layers, geometry::Transform const& transform) {
   for (scene::Texture& layer : layers)
     if (!layer.uv) layer.placement = layer.placement.then(transform);

@@ -12,7 +12,19 @@ void MaterialChange::change(scene::Object& each) {
   change(each.interior_texture);
   for (auto& layers : each.face_textures) change(layers);
   for (auto& child : each.children) change(child);
+  if (each.instance) each.instance = changed(each.instance);
   if (object) object(each);
+}
+
+std::shared_ptr<scene::Object const>
+MaterialChange::changed(std::shared_ptr<scene::Object const> const& instance) {
+  if (auto const known = instances_.find(instance.get()); known != instances_.end())
+    return known->second.after;
+  scene::Object now = *instance;
+  change(now);
+  auto after = std::make_shared<scene::Object const>(std::move(now));
+  instances_[instance.get()] = {instance, after};
+  return after;
 }
 
 void MaterialChange::change(scene::SharedLayers& layers) {

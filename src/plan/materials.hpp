@@ -23,6 +23,8 @@ private:
   void change(scene::Object& object);
   void change(scene::Layers& layers);
   void change(scene::SharedLayers& layers);
+  std::shared_ptr<scene::Object const>
+  changed(std::shared_ptr<scene::Object const> const& instance);
   std::shared_ptr<scene::TextureMap const> changed(scene::TextureMap const& map);
 
   /// Changed layers by what they were, which is kept so that its address stays its own.
@@ -31,6 +33,10 @@ private:
     scene::SharedLayers after;
   };
   std::unordered_map<scene::Layers const*, Done> done_;
+  struct DoneInstance {
+    std::shared_ptr<scene::Object const> before, after;
+  };
+  std::unordered_map<scene::Object const*, DoneInstance> instances_;
 };
 
 /// Changes a pigment, after what is in its map or list.

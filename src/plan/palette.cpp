@@ -43,6 +43,8 @@ private:
     if (object.interior && object.interior->fade_distance != 0)
       colour_(object.interior->fade_colour);
     for (auto const& child : object.children) this->object(child);
+    if (object.instance && seen_.insert(object.instance.get()).second)
+      this->object(*object.instance);
   }
   void layers(scene::Layers const& layers) {
     for (auto const& texture : layers) {

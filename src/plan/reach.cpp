@@ -26,7 +26,7 @@ bool corners_of(scene::Object const& object, std::vector<Vec3>& out) {
                                        i & 2 ? bounds.high.y : bounds.low.y,
                                        i & 4 ? bounds.high.z : bounds.low.z}));
   }
-  if (object.inverse) return false;
+  if (object.inverse || object.instance) return false;
   return std::all_of(object.children.begin(), object.children.end(),
                      [&](scene::Object const& child) { return corners_of(child, out); });
 }

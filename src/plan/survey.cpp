@@ -51,7 +51,7 @@ bool unseen(scene::Object const& object, Vec3 const& camera) {
   if (object.shape)
     return object.no_image.value_or(false) && object.no_reflection.value_or(false)
            && object.no_shadow.value_or(false) && !may_hold(object, camera);
-  return !object.inverse && object.clipped_by.empty()
+  return !object.inverse && !object.instance && object.clipped_by.empty()
          && std::all_of(object.children.begin(), object.children.end(),
                         [&](scene::Object const& child) { return unseen(child, camera); });
 }
@@ -274,6 +274,8 @@ private:
     for (auto const& face : object.face_textures) layers(face);
     if (object.interior && has_way_in_) interior(*object.interior);
     for (auto const& child : object.children) this->object(child);
+    if (object.instance && seen_.insert(object.instance.get()).second)
+      this->object(*object.instance);
   }
 
   scene::Scene const& scene_;

@@ -3,8 +3,10 @@
 
 #include "base/heap.hpp"
 #include "base/word_hash.hpp"
+#include "geometry/shapes/instances.hpp"
 #include "geometry/shapes/mesh.hpp"
 #include "geometry/world_builder.hpp"
+#include "render/definitions.hpp"
 #include "render/finish_numbers.hpp"
 #include "render/interior_numbers.hpp"
 #include "render/normal_compiler.hpp"
@@ -76,7 +78,7 @@ private:
   static std::size_t leaves(Objects const& objects) {
     std::size_t count = 0;
     for (Object const& object : objects) {
-      count += object.kind == Object::Kind::Shape ? 1 : leaves(object.children);
+      count += object.kind == Object::Kind::Shape || object.instance ? 1 : leaves(object.children);
       count += leaves(object.clipped_by);
     }
     return count;
@@ -138,6 +140,7 @@ private:
       break;
     case Object::Kind::Union:
     case Object::Kind::LightGroup:
+      if (object.instance) out.push_back(instance(object));
       for (auto const& child : object.children)
         for (auto& piece : pieces(child)) out.push_back(std::move(piece));
       // The inverse of a union is one intersection; of none, it is all of space.
@@ -252,6 +255,22 @@ private:
     }
   }
 
+  /// A union that is stored once for many places: one surface, whose faces have its textures.
+  Piece instance(Object const& object) {
+    auto const& [definition, textures] = definitions_.of(object.instance);
+    Piece piece;
+    piece.tree.primitive = world_.add(
+        std::make_shared<geometry::Instances const>(definition, object.placement, to_stage_), {});
+    SurfaceLayers surface;
+    surface.double_illuminate = object.double_illuminate.value_or(false);
+    surface.layers = layers(textures.front());
+    if (textures.size() > 1)
+      for (auto const& texture : textures) surface.face_layers.push_back(layers(texture));
+    stage_.textures.surfaces.add(std::move(surface), object);
+    settle_piece(piece, object);
+    return piece;
+  }
+
   Piece primitive(Object const& object) {
     Piece piece;
     piece.tree.primitive = world_.add(object.shape, object.placement.then(to_stage_));
@@ -272,6 +291,12 @@ private:
     bool const gathers = object.interior && object.interior->caustics != 0;
     if (!gathers) std::erase_if(surface.layers, [&](int number) { return invisible(number); });
     stage_.textures.surfaces.add(std::move(surface), object);
+    settle_piece(piece, object);
+    return piece;
+  }
+
+  /// Takes over what an object says beside its surface.
+  void settle_piece(Piece& piece, Object const& object) {
     piece.interior = object.interior;
     piece.number = numbers_.of_shape(object, piece.opaque);
     piece.throws = {object.throws};
@@ -286,7 +311,6 @@ private:
                                   | (!shadow                        ? 0
                                      : piece.opaque || full_shadows ? opaque_shadow_bit
                                                                     : filter_shadow_bit));
-    return piece;
   }
 
   /// How a solid throws light: as the first of its parts that says so; glass and mirrors of metal
@@ -485,6 +509,7 @@ private:
   InteriorNumbers numbers_{stage_, media_};
   NormalCompiler normals_{stage_.textures};
   NumberTable plain_layers_; ///< by numbers of pigment and finish
+  Definitions definitions_;
   scene::SharedLayers latest_;
   std::vector<int> latest_layers_; ///< of these
 };

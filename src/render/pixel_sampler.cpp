@@ -54,12 +54,12 @@ void PixelSampler::Spots::add(double at_x, double at_y, SampleKey const& of,
   pixel.push_back(for_pixel);
 }
 
-void PixelSampler::check(std::size_t spot, std::size_t place, Vec3 const& rgb) {
+void PixelSampler::check(Spots const& spots, std::size_t spot, std::size_t place, Vec3 const& rgb) {
   auto const row_of = [](Pixel const& pixel) { return std::pair(pixel.y, pixel.x); };
-  Pixel const& pixel = spots_.pixel[spot];
+  Pixel const& pixel = spots.pixel[spot];
   if (wrong_ && row_of(wrong_->pixel) <= row_of(pixel)) return;
   if (auto const kind = tracer_.wrong(place, rgb, negative_is_wrong_))
-    wrong_ = Wrong{*kind, pixel, spots_.x[spot], spots_.y[spot], spots_.key[spot], rgb};
+    wrong_ = Wrong{*kind, pixel, spots.x[spot], spots.y[spot], spots.key[spot], rgb};
 }
 
 std::size_t PixelSampler::place_of(Pixel const& pixel) const {
@@ -69,23 +69,77 @@ std::size_t PixelSampler::place_of(Pixel const& pixel) const {
          + static_cast<std::size_t>(pixel.x - region.x0);
 }
 
-void PixelSampler::take(Sampled* out) {
-  std::size_t const most = tracer_.batch(), count = spots_.count();
+template <class Done>
+void PixelSampler::trace(Spots const& spots, Done const& done) {
+  std::size_t const most = tracer_.batch(), count = spots.count();
+  Sampled sampled;
+  sampled.bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
   for (std::size_t first = 0; first < count; first += most) {
     std::size_t const some = std::min(most, count - first);
     tracer_.trace(
-        {spots_.x.data() + first, spots_.y.data() + first, some, options_.width, options_.height},
-        {spots_.key.data() + first, some});
-    for (std::size_t k = 0; k < some; ++k, ++out) {
-      out->bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
-      out->rgb = tracer_.light_of(k, out->bands);
-      out->lost = tracer_.lost_of(k);
-      if (tracer_.counts_rays()) out->rays = tracer_.rays_of(k);
+        {spots.x.data() + first, spots.y.data() + first, some, options_.width, options_.height},
+        {spots.key.data() + first, some});
+    for (std::size_t k = 0; k < some; ++k) {
+      sampled.rgb = tracer_.light_of(k, sampled.bands);
+      sampled.lost = tracer_.lost_of(k);
+      if (tracer_.counts_rays()) sampled.rays = tracer_.rays_of(k);
       if (options_.rays_of_pixels)
-        (*options_.rays_of_pixels)[place_of(spots_.pixel[first + k])] +=
+        (*options_.rays_of_pixels)[place_of(spots.pixel[first + k])] +=
             static_cast<float>(tracer_.rays_of(k));
-      if (options_.check_finite) check(first + k, k, out->rgb);
+      if (options_.check_finite) check(spots, first + k, k, sampled.rgb);
+      done(first + k, sampled);
     }
+  }
+}
+
+void PixelSampler::take(Sampled* out) {
+  if (stage_.lens) return take_through_lens(out);
+  trace(spots_, [&](std::size_t spot, Sampled const& sampled) { out[spot] = sampled; });
+}
+
+void PixelSampler::take_through_lens(Sampled* out) {
+  struct Known {
+    std::size_t spot = 0;
+    Vec3 sum{0}, squares{0}; ///< of what shows of the rays' light
+  };
+  std::vector<Known> open(spots_.count());
+  for (std::size_t spot = 0; spot < open.size(); ++spot) {
+    open[spot].spot = spot;
+    out[spot] = {};
+    out[spot].bands.resize(options_.spectral_output ? stage_.film_bands() : 0);
+  }
+  transport::Lens const& lens = *stage_.lens;
+  for (std::uint64_t taken = 0; !open.empty();) {
+    std::uint64_t const more = lens.next_rays(taken);
+    rays_.clear();
+    for (Known const& known : open)
+      for (std::uint64_t i = 0; i < more; ++i) {
+        SampleKey key = spots_.key[known.spot];
+        key.lens = taken + i;
+        rays_.add(spots_.x[known.spot], spots_.y[known.spot], key, spots_.pixel[known.spot]);
+      }
+    trace(rays_, [&](std::size_t ray, Sampled const& sampled) {
+      Known& known = open[ray / more];
+      Vec3 const shown = glm::clamp(sampled.rgb, 0.0, 1.0);
+      known.sum += shown;
+      known.squares += shown * shown;
+      out[known.spot].add(sampled);
+      out[known.spot].rays += sampled.rays;
+    });
+    taken += more;
+    auto const n = static_cast<double>(taken);
+    std::erase_if(open, [&](Known const& known) {
+      bool enough = true;
+      for (int i = 0; i < 3; ++i) {
+        double const squares = known.squares[i] - known.sum[i] * known.sum[i] / n;
+        // What is left of rounding is none.
+        double const grain = 1e-12 * known.squares[i];
+        enough = enough && lens.enough(taken, squares > grain ? squares : 0);
+      }
+      if (!enough && taken < lens.rays()) return false;
+      out[known.spot].scale(1 / n);
+      return true;
+    });
   }
 }
 

@@ -107,8 +107,14 @@ private:
   std::size_t place_of(Pixel const& pixel) const;
   /// All spots.
   void take(Sampled* out);
-  /// @param place of the sample among those that the tracer has just traced
-  void check(std::size_t spot, std::size_t place, Vec3 const& rgb);
+  /// Through a lens: further rays of each spot until they are enough.
+  void take_through_lens(Sampled* out);
+  /// Traces spots, batch by batch. @param done called with the number of a spot and its light
+  template <class Done>
+  void trace(Spots const& spots, Done const& done);
+  /// @param spot among `spots` @param place of the sample among those that the tracer has just
+  /// traced
+  void check(Spots const& spots, std::size_t spot, std::size_t place, Vec3 const& rgb);
   // Method 2 (pixel_corners.cpp). Places are counted in steps of its grid.
   struct Corner {
     std::int64_t x, y;
@@ -140,6 +146,7 @@ private:
   bool negative_is_wrong_ = false;
   std::optional<Wrong> wrong_;
   Spots spots_;                ///< in work
+  Spots rays_;                 ///< of these through a lens
   std::vector<Sampled> taken_; ///< of spots_
   std::uint64_t lost_ = 0;
   std::vector<Corner> corners_;

@@ -59,6 +59,9 @@ struct Camera {
   /// along `direction` at which all is sharp, and the rays of a sample. No lens: 0.
   double aperture = 0, focal_distance = 0;
   int blur_samples = 0;
+  /// Fewer rays of the lens are enough once the variance of their mean is this with that
+  /// confidence.
+  double blur_variance = 1.0 / 128, blur_confidence = 0.9;
   /// How densely rays go through the lens, which then is a square, from <0, 0, 0> to <1, 1, 0>:
   /// values from 0 to 1. Null: a disc, evenly.
   std::shared_ptr<texture::Pattern const> bokeh;

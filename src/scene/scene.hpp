@@ -3,6 +3,7 @@
 
 #include "base/few.hpp"
 #include "base/shared.hpp"
+#include "base/shared_list.hpp"
 #include "base/source.hpp"
 #include "base/vec.hpp"
 #include "geometry/placement.hpp"
@@ -146,15 +147,21 @@ struct Interior {
 /// to the parent's space; clipping objects, textures and lights are in the parent's space already
 /// (so that nothing is ever transformed there and back). In a finished Scene all of that is worked
 /// in: placements of combinations are the identity, and leaves, clipping objects and textures are
-/// in world space; every leaf has its texture, its interior and all its flags.
+/// in world space (of textures that look alike everywhere, most have no placement at all); every
+/// leaf has its texture, its interior and all its flags.
 struct Object {
   /// LightGroup: a union while it is read, whose lights and objects belong together.
   enum class Kind : std::uint8_t { Shape, Union, Merge, Intersection, Difference, LightGroup };
   Span span;
   Kind kind = Kind::Shape;
-  geometry::ShapePtr shape;     ///< of Kind::Shape
-  std::string_view keyword;     ///< "sphere", of Kind::Shape
-  std::vector<Object> children; ///< of the others
+  geometry::ShapePtr shape;    ///< of Kind::Shape
+  std::string_view keyword;    ///< "sphere", of Kind::Shape
+  SharedList<Object> children; ///< of the others
+  /// In a finished Scene, of a union that is stored once for many places: what stands there, in a
+  /// space of its own, which `placement` takes to the object's; `children` is empty then. What is
+  /// in it has an opaque, plain texture and no more, flags are those of the union, and unions in it
+  /// may again be such.
+  std::shared_ptr<Object const> instance;
   Few<Object> clipped_by;
   geometry::Placement placement; ///< of the shape or of the children
   Few<Light> lights;             ///< written inside a union; moved to Scene::lights at insertion

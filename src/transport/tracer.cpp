@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_rays = std::size_t{1} << 14;
 
 int rays_of_point(Stage const& stage) {
-  return stage.lens ? stage.lens->rays() : stage.camera->rays_of_point();
+  return stage.camera->rays_of_point();
 }
 
 /// Large enough for full buckets, and small enough for the caches.

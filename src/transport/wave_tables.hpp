@@ -24,6 +24,7 @@ struct SampleKey {
   /// Set: the numbers are those of these points, whose first two dimensions are the place in the
   /// pixel, so that place and wavelengths are stratified together.
   std::optional<PixelPoints> points{};
+  std::uint64_t lens = 0; ///< the first of the lens's rays that are taken (Lens::group())
   double uniform(std::uint64_t dimension) const;
   /// Of this sample alone, not spread.
   double independent(std::uint64_t dimension) const;

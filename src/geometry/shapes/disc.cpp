@@ -9,8 +9,7 @@ void Disc::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   std::size_t const first = out.size();
   ConvexShape::crossings(ray, start, out);
   for (std::size_t i = first; i < out.size(); ++i) {
-    double const distance = vector_length(ray.origin + out[i].t * ray.direction);
-    out[i].visible = hole_ <= distance && distance <= radius_ && hole_ < radius_;
+    out[i].visible = on_ring(line_of(ray), out[i].t);
   }
 }
 

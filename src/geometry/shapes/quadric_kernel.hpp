@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/kernels.hpp"
+#include "geometry/shapes/gap_kernel.hpp"
 
 namespace abbe::geometry::kernels {
 
@@ -81,6 +82,30 @@ Slice<L> convex_quadric(Line<L> const& line, L const (&k)[10]) {
              leaves = lane::both(one, zero < roots.slope);
   return {select(lane::either(two, enters), roots.low, Root<L>{in, zero, zero}),
           select(two, roots.high, select(leaves, roots.low, Root<L>{out, zero, zero})), zero, zero};
+}
+
+/// Any quadric's roots.
+template <class L>
+Gap<L> gap_quadric(Line<L> const& line, L const (&k)[10]) {
+  L const zero(0.0), far(infinity), sure(1.0);
+  QuadricRoots<L> const roots = quadric(line, k);
+  auto const exists = zero < roots.exists, single = roots.leading == zero;
+  auto const two = lane::both(exists, lane::negate(single));
+  auto const one = lane::both(exists, single);
+  auto const enters = lane::both(one, roots.slope < zero),
+             leaves = lane::both(one, lane::negate(roots.slope < zero));
+  // Without roots it is the one or the other all along.
+  auto const all = lane::both(lane::negate(exists), lane::both(single, roots.value <= zero));
+  Root<L> const none_in{lane::select(all, -far, far), zero, zero},
+      none_out{lane::select(all, far, -far), zero, zero};
+  Root<L> const begin{-far, zero, zero}, end{far, zero, zero};
+  Root<L> const in = select(two, roots.low,
+                            select(enters, roots.low, select(leaves, begin, none_in))),
+                out = select(two, roots.high,
+                             select(leaves, roots.low, select(enters, end, none_out)));
+  return {{in.t, in.error, out.t, out.error, zero, zero},
+          lane::select(roots.leading < zero, sure, zero),
+          lane::select(lane::both(two, lane::negate(roots.low.t < roots.high.t)), sure, zero)};
 }
 
 } // namespace abbe::geometry::kernels

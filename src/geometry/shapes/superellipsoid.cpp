@@ -5,122 +5,13 @@
 #include "geometry/shapes/close_line.hpp"
 #include "geometry/shapes/reading.hpp"
 #include "geometry/shapes/start.hpp"
-#include "simd/math.hpp"
+#include "geometry/shapes/superellipsoid_size.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace abbe::geometry {
-
-namespace {
-
-constexpr int library = 16; ///< roundings of the chain of powers, each of 2 units at most
-
-/// (a^k + b^k)^(1/k), a, b >= 0.
-double joined(double a, double b, double k) {
-  double const most = std::max(a, b), least = std::min(a, b);
-  if (most == 0) return 0;
-  return most * simd::pow(1 + simd::pow(least / most, k), 1 / k);
-}
-
-} // namespace
-
-/// The size as a field.
-class Superellipsoid::Size final : public ScalarField {
-public:
-  Size(double east, double north) : p_(2 / east), q_(2 / north) {}
-
-  double value(Vec3 const& point) const override {
-    Vec3 const v = glm::abs(point);
-    return joined(joined(v.x, v.y, p_), v.z, q_);
-  }
-  bool smooth() const override { return true; }
-  bool total() const override { return true; }
-  Vec3 gradient(Vec3 const& point) const override;
-  Along along(Vec3 const& origin, Vec3 const& direction, Interval const& part) const override {
-    Interval v[3];
-    Vec3 low, high;
-    for (int i = 0; i < 3; ++i) {
-      v[i] = direction[i] == 0 ? Interval(origin[i])
-                               : Interval(origin[i]) + Interval(direction[i]) * part;
-      Interval const size = abs(v[i]);
-      low[i] = size.low;
-      high[i] = size.high;
-    }
-    double const ring_low = joined(low.x, low.y, p_), ring_high = joined(high.x, high.y, p_);
-    Interval const ring = widened(ring_low, ring_high, library);
-    Interval const size =
-        widened(joined(ring_low, low.z, q_), joined(ring_high, high.z, q_), 2 * library);
-    auto const of = [](Interval const& x) { return Interval(std::max(x.low, 0.0), x.high); };
-    Interval const to_ring = share(of(ring), of(size), q_);
-    Interval slope(0);
-    slope = slope + signed_share(v[0], share(abs(v[0]), of(ring), p_) * to_ring, direction.x);
-    slope = slope + signed_share(v[1], share(abs(v[1]), of(ring), p_) * to_ring, direction.y);
-    slope = slope + signed_share(v[2], share(abs(v[2]), of(size), q_), direction.z);
-    return {size, slope};
-  }
-
-private:
-  /// (part / whole)^(k - 1), 0 <= part <= whole.
-  static Interval share(Interval const& part, Interval const& whole, double k) {
-    double const low = whole.high > 0 ? std::max(part.low, 0.0) / whole.high : 0;
-    double const high = whole.low > 0 ? std::min(1.0, part.high / whole.low) : 1;
-    double const a = simd::pow(low, k - 1), b = simd::pow(high, k - 1);
-    // The ratio's roundings count as often as the power says.
-    int const roundings = library + static_cast<int>(std::min(8 * std::fabs(k), 1e6));
-    Interval const result = widened(std::min(a, b), std::max(a, b), roundings);
-    return {std::max(result.low, 0.0), result.high};
-  }
-  static Interval signed_share(Interval const& place, Interval const& share, double speed) {
-    if (speed == 0) return 0;
-    Interval const size = share * Interval(speed);
-    if (place.low > 0) return size;
-    if (place.high < 0) return -size;
-    return hull(size, -size);
-  }
-
-  double p_, q_;
-};
-
-/// The size at a point of places >= 0, and how it grows with each of them.
-template <class L>
-struct Grown {
-  L size;
-  lane::Vec<L> share;
-};
-
-template <class L>
-static Grown<L> grown(lane::Vec<L> const& v, double p, double q) {
-  L const zero(0.0), one(1.0);
-  struct Pair {
-    L size, of_a, of_b;
-  };
-  // (a^k + b^k)^(1/k) = most (1 + u)^(1/k), u = (least / most)^k.
-  auto const joined_pair = [&](L const& a, L const& b, double k) {
-    auto const first = b <= a;
-    L const most = lane::select(first, a, b);
-    L const ratio = lane::select(most == zero, zero, lane::select(first, b, a) / most);
-    L const u = lane::exp(L(k) * lane::log(ratio)), whole = one + u;
-    L const root = lane::exp(lane::log(whole) * L(1 / k));
-    L const of_most = root / whole; // (most / joined)^(k - 1)
-    L const at_zero(k > 1 ? 0.0 : k == 1 ? 1.0 : infinity);
-    L const of_least = lane::select(ratio == zero, at_zero, of_most * u / ratio);
-    return Pair{most * root, lane::select(first, of_most, of_least),
-                lane::select(first, of_least, of_most)};
-  };
-  Pair const ring = joined_pair(v.x, v.y, p), all = joined_pair(ring.size, v.z, q);
-  return {all.size, {ring.of_a * all.of_a, ring.of_b * all.of_a, all.of_b}};
-}
-
-Vec3 Superellipsoid::Size::gradient(Vec3 const& point) const {
-  Vec3 const v = glm::abs(point);
-  if (v == Vec3(0)) return v;
-  if (v.x == 0 && v.y == 0) return {0, 0, std::copysign(1.0, point.z)};
-  auto const share = grown<double>({v.x, v.y, v.z}, p_, q_).share;
-  return {std::copysign(share.x, point.x), std::copysign(share.y, point.y),
-          std::copysign(share.z, point.z)};
-}
 
 /// How far the size is above 1, and how that changes along a line.
 template <class L>
@@ -132,7 +23,7 @@ template <class L>
 Superellipsoid::Local<L> Superellipsoid::local(lane::Vec<L> const& point,
                                                lane::Vec<L> const& direction) const {
   L const zero(0.0);
-  Grown<L> const here = grown(lane::abs(point), p_, q_);
+  GrownSize<L> const here = grown_size(lane::abs(point), p_, q_);
   auto const along = [&](L const& place, L const& speed, L const& share) {
     return share * lane::select(place < zero, -speed, speed);
   };
@@ -210,63 +101,165 @@ Slice<L> Superellipsoid::slice(Line<L> const& line) const {
   return out;
 }
 
+/// Planes n . |v| = 1 that the shape does not pass where it is not convex.
+static std::vector<Vec3> faces_of(double p, double q) {
+  std::vector<Vec3> faces;
+  // (a^k + b^k)^(1/k) is at least a + b where k <= 1, and that times 2^(1/k - 1) else.
+  double const ring = p <= 1 ? 1 : simd::pow(2.0, 1 / p - 1);
+  double const all = q <= 1 ? 1 : simd::pow(2.0, 1 / q - 1);
+  if (p <= 1) faces.emplace_back(1, 1, 0);
+  faces.emplace_back(ring * all, ring * all, all);
+  if (q <= 1) {
+    faces.emplace_back(1, 0, 1);
+    faces.emplace_back(0, 1, 1);
+  }
+  return faces;
+}
+
 Superellipsoid::Superellipsoid(double east, double north)
     : p_(2 / east),
       q_(2 / north),
       convex_(p_ >= 1 && q_ >= 1),
-      size_(std::make_shared<Size>(east, north)),
-      ball_(std::sqrt(3.0) * (1 + gamma_bound(8))) {}
+      size_(std::make_shared<SuperellipsoidSize>(p_, q_)),
+      ball_(std::sqrt(3.0) * (1 + gamma_bound(8))),
+      faces_(convex_ ? std::vector<Vec3>{} : faces_of(p_, q_)) {}
 Superellipsoid::~Superellipsoid() = default;
+
+namespace {
+
+/// Where a line comes into the cube [-1, 1]^3, goes through the planes of coordinates, and leaves
+/// the cube.
+struct Stops {
+  double at[5]{};
+  double blur[5]{}; ///< how far off those between the ends may be
+  int count = 0;    ///< 0: the line passes by
+
+  /// @param half the line is looked at from -half to half
+  Stops(FieldLine const& line, double half) {
+    double low = -half, high = half;
+    for (int i = 0; i < 3 && low < high; ++i) {
+      double const wall = 1 + slim, d = line.direction[i], p = line.origin[i];
+      if (d == 0) {
+        if (std::fabs(p) > wall) high = low;
+        continue;
+      }
+      double const a = (-wall - p) / d, b = (wall - p) / d;
+      low = std::max(low, std::min(a, b));
+      high = std::min(high, std::max(a, b));
+    }
+    if (!(low < high)) return;
+    at[count++] = low;
+    for (int i = 0; i < 3; ++i) {
+      double const place = -line.origin[i] / line.direction[i];
+      if (!(place > low && place < high)) continue;
+      int k = count++;
+      double const off = 4 * gamma_bound(4) * std::fabs(place);
+      for (; k > 1 && at[k - 1] > place; --k) {
+        at[k] = at[k - 1];
+        blur[k] = blur[k - 1];
+      }
+      at[k] = place;
+      blur[k] = off;
+    }
+    at[count++] = high;
+  }
+
+  /// Is it certain that the line does not come to the level? Between stops of a `concave` size it
+  /// is nowhere below what it is at both ends.
+  bool pass_by(FieldLine const& line, bool concave) const {
+    if (count == 0) return true;
+    if (!concave) return false;
+    LinePieces pieces;
+    pieces.count = LinePieces::most;
+    for (int i = 0; i < LinePieces::most; ++i) {
+      int const k = std::min(i, count - 1);
+      pieces.low[i] = at[k] - blur[k];
+      pieces.high[i] = at[k] + blur[k];
+    }
+    line.field.along_each(line.origin, line.direction, pieces);
+    return std::all_of(pieces.value_low, pieces.value_low + count,
+                       [&](double value) { return value > line.level; });
+  }
+
+  /// How far outside of the shape ends of the search lie, so that they are certainly outside.
+  static constexpr double slim = 0x1p-30;
+};
+
+} // namespace
+
+/// Cuts off what lies beyond `faces_` of a piece that keeps to one octant.
+void Superellipsoid::cut_by_faces(FieldLine const& line, double& low, double& high) const {
+  Vec3 const middle = line.origin + (0.5 * low + 0.5 * high) * line.direction;
+  Vec3 const sign(std::copysign(1.0, middle.x), std::copysign(1.0, middle.y),
+                  std::copysign(1.0, middle.z));
+  for (Vec3 const& face : faces_) {
+    double const place = glm::dot(face * sign, line.origin),
+                 speed = glm::dot(face * sign, line.direction);
+    double const at = (1 + Stops::slim - place) / speed;
+    if (speed > 0)
+      high = std::min(high, at);
+    else if (speed < 0)
+      low = std::max(low, at);
+    else if (place > 1 + Stops::slim)
+      high = low;
+  }
+}
+
+void Superellipsoid::search(CloseLine const& close, double from, double until, double enough,
+                            Crossings& out) const {
+  // In units of a power of two, so that a line of any speed gives the same bits.
+  double const unit = std::exp2(-std::ilogb(vector_length(close.direction)));
+  auto const at = [&](double t) { return (t - close.near.t) / unit; };
+  FieldLine const line{*size_, close.point, close.direction * unit, 1, 0, at(enough)};
+  Stops const stops(line, close.half / unit);
+  if (stops.pass_by(line, p_ <= 1 && q_ <= 1)) return;
+  std::vector<FieldRoot> roots;
+  for (int i = 0; i + 1 < stops.count; ++i) {
+    double low = stops.at[i], high = stops.at[i + 1];
+    if (high < at(from)) continue;
+    if (low > at(until)) break;
+    cut_by_faces(line, low, high);
+    if (low < high) field_roots(line, low, high, roots);
+    if (!roots.empty() && roots.back().at - roots.back().error > line.enough) break;
+  }
+  for (FieldRoot const& root : roots) {
+    Vec3 const place = line.origin + root.at * line.direction;
+    Vec3 const gradient = size_->gradient(place), size = glm::abs(gradient);
+    double const slope = glm::dot(gradient, line.direction);
+    Crossing c;
+    double const step = root.at * unit;
+    c.t = close.near.t + step;
+    Vec3 const moved = close.moved(c.t) + Vec3(close.place_error<double>(step));
+    c.error = unit * (root.error + root_motion(glm::dot(size, moved), slope, 1.0))
+              + gamma_bound(4) * (std::fabs(c.t) + std::fabs(step));
+    c.slack = unit * root_motion(glm::dot(size, close.slack()), slope, 1.0);
+    c.entering = !root.rising;
+    out.push_back(c);
+  }
+}
 
 void Superellipsoid::crossings(Ray const& ray, Start const* start, Crossings& out) const {
   if (convex_) return ConvexShape::crossings(ray, start, out);
-  CloseLine const close(ray, ball_);
   std::size_t const first = out.size();
-  double low = -close.half, high = close.half;
-  for (int i = 0; i < 3 && low < high; ++i) {
-    double const margin = close.near.rounding.x + close.near.rounding.y + close.near.rounding.z
-                          + gamma_bound(16) * (1 + std::fabs(close.point[i]));
-    double const d = close.direction[i], p = close.point[i];
-    if (d == 0) {
-      if (std::fabs(p) > 1 + margin) high = low;
-      continue;
-    }
-    double const a = (-1 - margin - p) / d, b = (1 + margin - p) / d;
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
-  }
-  if (low < high) {
-    // In units of a power of two, so that a line of any speed gives the same bits.
-    double const unit = std::exp2(-std::ilogb(vector_length(close.direction)));
-    FieldLine const line{*size_, close.point, close.direction * unit, 1, 0, infinity};
-    std::vector<FieldRoot> roots;
-    // Parted where a coordinate changes its sign: smooth between.
-    double stops[5] = {low / unit, high / unit, 0, 0, 0};
-    int count = 2;
-    for (int i = 0; i < 3; ++i) {
-      double const at = -line.origin[i] / line.direction[i];
-      if (at > stops[0] && at < stops[1]) stops[count++] = at;
-    }
-    std::sort(stops, stops + count);
-    for (int i = 0; i + 1 < count; ++i) {
-      if (stops[i] < stops[i + 1]) field_roots(line, stops[i], stops[i + 1], roots);
-    }
-    for (FieldRoot const& root : roots) {
-      Vec3 const at = line.origin + root.at * line.direction;
-      Vec3 const gradient = size_->gradient(at), size = glm::abs(gradient);
-      double const slope = glm::dot(gradient, line.direction);
-      Crossing c;
-      double const step = root.at * unit;
-      c.t = close.near.t + step;
-      Vec3 const moved = close.moved(c.t) + Vec3(close.place_error<double>(step));
-      c.error = unit * (root.error + root_motion(glm::dot(size, moved), slope, 1.0))
-                + gamma_bound(4) * (std::fabs(c.t) + std::fabs(step));
-      c.slack = unit * root_motion(glm::dot(size, close.slack()), slope, 1.0);
-      c.entering = !root.rising;
-      out.push_back(c);
-    }
-  }
+  search(CloseLine(ray, ball_), -infinity, infinity, infinity, out);
   if (start != nullptr) impose_start(*start, false, first, out);
+}
+
+void Superellipsoid::crossings_ahead(Ray const& ray, Start const* start, double until,
+                                     Crossings& out) const {
+  if (convex_) return ConvexShape::crossings(ray, start, out);
+  CloseLine const close(ray, ball_);
+  double const margin = close.margin();
+  if (start == nullptr) return search(close, -margin, until + margin, margin, out);
+  // The known root is as near as the origin is known, unless the ray grazes: then all are looked
+  // at.
+  Vec3 const blur = ray.origin_error + ray.origin_rounding + 0x1p-50 * glm::abs(ray.origin);
+  double const near = margin + 16 * vector_length(blur) / vector_length(ray.direction);
+  std::size_t const first = out.size();
+  search(close, -near, until + near, near, out);
+  if (has_start(*start, near, first, out)) return impose_start(*start, false, first, out);
+  out.resize(first);
+  crossings(ray, start, out);
 }
 
 bool Superellipsoid::inside(Vec3 const& point) const {

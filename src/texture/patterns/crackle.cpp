@@ -33,6 +33,26 @@ constexpr std::array<Offset, 81> neighbours() {
   return cells;
 }
 
+/// The points of the cells around one, each found when it is asked for first: neighbours in the
+/// picture mostly ask for the same.
+struct Surroundings {
+  Vec3 cell{std::numeric_limits<double>::quiet_NaN()};
+  std::array<bool, 81> known{};
+  std::array<Vec3, 81> points;
+
+  static Surroundings& of(Vec3 const& cell) {
+    static thread_local std::array<Surroundings, 4> latest;
+    // Neighbouring cells go to different places.
+    auto const place = static_cast<std::size_t>(std::abs(std::fmod(cell.x + cell.y + cell.z, 4.0)));
+    Surroundings& here = latest[place];
+    if (!(here.cell == cell)) {
+      here.cell = cell;
+      here.known.fill(false);
+    }
+    return here;
+  }
+};
+
 class Crackle final : public Pattern {
 public:
   double raw(Vec3 const& p, PatternModifiers const& modifiers) const override {
@@ -83,10 +103,16 @@ Crackle::Nearest Crackle::find(Vec3 const& p) const {
   Nearest nearest;
   nearest.power.fill(std::numeric_limits<double>::infinity());
   auto& best = nearest.power;
-  for (Offset const& d : cells) {
+  Surroundings& around = Surroundings::of(cell);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Offset const& d = cells[i];
     if (gap[d.x + 2][0] + gap[d.y + 2][1] + gap[d.z + 2][2] > best[2]) continue;
-    Vec3 const corner = cell + Vec3(d.x, d.y, d.z);
-    Vec3 const point = corner + cell_point(tables, randoms, corner);
+    Vec3& point = around.points[i];
+    if (!around.known[i]) {
+      Vec3 const corner = cell + Vec3(d.x, d.y, d.z);
+      point = corner + cell_point(tables, randoms, corner);
+      around.known[i] = true;
+    }
     double const distance = power(p.x - point.x) + power(p.y - point.y) + power(p.z - point.z);
     if (distance < best[0]) {
       best = {distance, best[0], best[1]};

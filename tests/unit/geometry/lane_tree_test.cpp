@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/lane_tree.hpp"
 
+#include "geometry/shapes/quadric.hpp"
 #include "geometry/shapes/torus.hpp"
 
 #include "fan_walk.hpp"
@@ -25,7 +26,21 @@ CsgTree any_tree(Dice& dice, int operands, int depth) {
   return tree;
 }
 
-WalkCounts compare(int worlds, int operands, bool with_torus, unsigned seed) {
+/// Hyperboloids, saddles, cones and pairs of planes.
+std::array<double, 10> any_quadric(Dice& dice) {
+  std::array<double, 10> k{};
+  for (std::size_t i = 0; i < 3; ++i) k[i] = dice.below(3) - 1;
+  k[static_cast<std::size_t>(dice.below(3))] = -1;
+  if (dice.below(2) == 0) k[static_cast<std::size_t>(3 + dice.below(3))] = dice.below(5) - 2;
+  if (dice.below(2) == 0) k[static_cast<std::size_t>(6 + dice.below(3))] = dice.below(3) - 1;
+  k[9] = 0.25 * (dice.below(5) - 2);
+  return k;
+}
+
+enum class Last { Any, Torus, Quadric };
+
+/// @param last what the last of the operands is
+WalkCounts compare(int worlds, int operands, Last last, unsigned seed) {
   Dice dice(seed);
   WalkCounts counts;
   for (int i = 0; i < worlds && !testing::Test::HasFailure(); ++i) {
@@ -36,9 +51,12 @@ WalkCounts compare(int worlds, int operands, bool with_torus, unsigned seed) {
     for (int k = 0; k < operands; ++k) {
       shapes.push_back(moved(any_shape(dice, Mix::All, size), place));
     }
-    if (with_torus) {
+    if (last == Last::Torus) {
       PlacedShape torus = moved(*make_torus(1, 0.25), Transform::scaling(Vec3(size)));
       shapes.back() = moved(torus, place);
+    } else if (last == Last::Quadric) {
+      PlacedShape const quadric = *make_quadric(any_quadric(dice));
+      shapes.back() = moved(moved(quadric, Transform::scaling(Vec3(size))), place);
     }
     // Two solids or three, so that faces of other solids are in the way, too.
     std::vector<World::Solid> solids{{any_tree(dice, operands, 3)}, {any_tree(dice, operands, 2)}};
@@ -50,14 +68,19 @@ WalkCounts compare(int worlds, int operands, bool with_torus, unsigned seed) {
 }
 
 TEST(LaneTree, GivesTheBitsOfTheGeneralWay) {
-  WalkCounts const counts = compare(300, 6, false, 1);
+  WalkCounts const counts = compare(300, 6, Last::Any, 1);
   // The comparison says something: many rays meet one clear surface.
   EXPECT_GT(counts.single, counts.rays / 4);
   EXPECT_GT(counts.pairs, counts.rays / 64);
 }
 
+TEST(LaneTree, GivesTheBitsOfTheGeneralWayForQuadricsThatAreNotConvex) {
+  WalkCounts const counts = compare(300, 4, Last::Quadric, 3);
+  EXPECT_GT(counts.single, counts.rays / 8);
+}
+
 TEST(LaneTree, AsksTheGeneralWayWhereAnOperandHasNoKernel) {
-  WalkCounts const counts = compare(100, 4, true, 2);
+  WalkCounts const counts = compare(100, 4, Last::Torus, 2);
   EXPECT_GT(counts.single, counts.rays / 8);
 }
 

@@ -111,7 +111,19 @@ TEST(Object, PartsTakeTheTextureOfTheWhole) {
   // Everything is in world space: the whole's placement is worked in.
   EXPECT_TRUE(whole.placement.identity());
   expect_near(centre(whole.children[0]), Vec3(1, 0, 0), 0);
-  expect_near(whole.children[0].texture->front().placement.point(Vec3(0)), Vec3(1, 0, 0), 0);
+}
+
+TEST(Object, PatternsMoveWithTheWholeAndPlainColoursAreShared) {
+  auto const s = scene_of("#declare A = sphere { 0, 1 pigment { rgb 0.5 } }\n"
+                          "union { sphere { 0, 1 } pigment { gradient x } translate x }\n"
+                          "object { A translate x } object { A translate 2*x }");
+  auto const place = [](scene::Object const& object) {
+    return object.texture->front().placement.point(Vec3(0));
+  };
+  expect_near(place(std::as_const(s.objects[0].children)[0]), Vec3(1, 0, 0), 0);
+  // They look alike everywhere, and have no place.
+  expect_near(place(s.objects[1]), Vec3(0), 0);
+  EXPECT_TRUE(s.objects[1].texture.shares(s.objects[2].texture));
 }
 
 TEST(Object, HollowOfAPartWins) {

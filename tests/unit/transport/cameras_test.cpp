@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "transport/cameras/camera.hpp"
+#include "transport/cameras/lens.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -217,6 +218,27 @@ TEST(CurvedCameras, AnOmnimaxLensIsCutOffBelow) {
   double const r = 0.6, theta = 1.411269 * r - 0.09439 * r * r * r + 0.25674 * std::pow(r, 5);
   Vec3 const d = direction_at(camera, 0.3, 0);
   EXPECT_NEAR(std::atan2(d.x, d.z), theta, 1e-14);
+}
+
+TEST(Lens, RaysAreEnoughByAChiSquaredTest) {
+  scene::Camera camera;
+  camera.aperture = 1;
+  camera.blur_samples = 100;
+  camera.blur_variance = 1.0 / 128;
+  camera.blur_confidence = 0.9;
+  Lens const lens = *Lens::of(camera);
+  EXPECT_EQ(lens.next_rays(0), 25u);
+  EXPECT_EQ(lens.next_rays(25), 12u);
+  EXPECT_EQ(lens.next_rays(90), 10u);
+  // What a tenth of all is below, of 7 and 19 degrees of freedom: 2.833 and 11.651 (tables).
+  EXPECT_TRUE(lens.enough(8, 0.98 * 2.833 * 8 / 128));
+  EXPECT_FALSE(lens.enough(8, 1.02 * 2.833 * 8 / 128));
+  EXPECT_TRUE(lens.enough(20, 0.98 * 11.651 * 20 / 128));
+  EXPECT_FALSE(lens.enough(20, 1.02 * 11.651 * 20 / 128));
+  // Where all rays show the same, more say nothing; else variance 0 takes all.
+  camera.blur_variance = 0;
+  EXPECT_TRUE(Lens::of(camera)->enough(8, 0));
+  EXPECT_FALSE(Lens::of(camera)->enough(99, 1e-9));
 }
 
 } // namespace
