@@ -59,7 +59,8 @@ public:
     Nearest const nearest = find(p);
     if (solid_) return noise(nearest.point, modifiers.noise_generator);
     double value = 0;
-    for (int i = 0; i < 3; ++i) value += form_[i] * root(nearest.power[i]);
+    for (int i = 0; i < 3; ++i)
+      if (form_[i] != 0) value += form_[i] * root(nearest.power[i]);
     return std::clamp(value, 0.0, 1.0);
   }
   std::shared_ptr<Pattern const> read_item(Parameters& in) const override;
@@ -69,11 +70,19 @@ public:
     Vec3 point{0};                 ///< the nearest
   };
   Nearest find(Vec3 const& p) const;
-  void set_metric(double metric) { metric_ = metric; }
+  void set_metric(double metric) {
+    metric_ = metric;
+    bool const simple = metric <= most_simple && 2 * metric == std::floor(2 * metric);
+    halves_ = simple ? static_cast<int>(2 * metric) : 0;
+  }
 
 private:
   double power(double difference) const {
-    return metric_ == 2 ? difference * difference : simd::pow(std::abs(difference), metric_);
+    double const size = std::abs(difference);
+    if (halves_ == 0) return simd::pow(size, metric_);
+    double result = halves_ % 2 == 1 ? std::sqrt(size) : 1;
+    for (int i = 1; i < halves_; i += 2) result *= size;
+    return result;
   }
   double root(double sum) const {
     return metric_ == 2 ? std::sqrt(sum) : simd::pow(sum, 1 / metric_);
@@ -85,7 +94,10 @@ private:
   }
 
   Vec3 form_{-1, 1, 0};
+  /// Up to this, powers of halves are products and roots.
+  static constexpr double most_simple = 6;
   double metric_ = 2;
+  int halves_ = 4; ///< twice the metric, where that is simple; else 0
   double offset_ = 0;
   bool solid_ = false;
 };
@@ -133,11 +145,11 @@ std::shared_ptr<Pattern const> Crackle::read_item(Parameters& in) const {
   if (in.accept("form")) {
     changed->form_ = in.vec3("form");
   } else if (in.accept("metric")) {
-    changed->metric_ = in.number("metric");
-    if (!(changed->metric_ > 0)) {
+    double const metric = in.number("metric");
+    if (metric > 0)
+      changed->set_metric(metric);
+    else
       in.report(Severity::Error, "E0384", "the metric of crackle must be positive", span);
-      changed->metric_ = metric_;
-    }
   } else if (in.accept("offset")) {
     changed->offset_ = in.number("offset");
     if (!(changed->offset_ >= 0)) {
