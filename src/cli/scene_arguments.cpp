@@ -167,6 +167,7 @@ lang::Evaluated* load_scene(SceneArguments const& arguments, int& status) {
     auto const equals = text.find('=');
     options.declarations.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
+  options.before = arguments.before;
   options.image_width = arguments.width;
   options.image_height = arguments.height;
   options.frame = arguments.frame;

@@ -17,6 +17,7 @@ struct SceneArguments {
   int width = 640;
   int height = 480;
   std::vector<std::string> declarations; ///< -D NAME=VALUE
+  std::string before;                    ///< statements that are read before the scene's
   std::vector<std::string> include_dirs;
   std::vector<std::string> read_dirs; ///< --allow-read
   bool allow_write = false;

@@ -35,6 +35,7 @@ struct EvaluateOptions {
   std::vector<std::filesystem::path> include_dirs;               ///< -I
   std::vector<std::filesystem::path> read_dirs;                  ///< --allow-read
   std::vector<std::pair<std::string, std::string>> declarations; ///< -D name=value
+  std::string before; ///< statements that are read before the scene's, of a source "options"
   int image_width = 640;
   int image_height = 480;
   AnimationFrame frame = {};

@@ -127,6 +127,10 @@ void Interpreter::run(SourceFile const& source) {
 }
 
 void Interpreter::run_statements(SourceFile const& source) {
+  if (!options_.before.empty())
+    read_text(*this, "options", options_.before, [](Reader& in) {
+      while (!in.at_end()) read_statement(in);
+    });
   Span const whole{&source, 0, static_cast<std::uint32_t>(source.text().size())};
   StatementStream* const stream = streams.open(source);
   ast::Items const& statements = stream != nullptr ? stream->statements : document(source).items;

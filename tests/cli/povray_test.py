@@ -214,6 +214,16 @@ class PovrayTest(CliTest):
         said = self.povray('d.pov', '+W4', '+H3', 'Declare=Size=1.5', 'Declare=Name="x y"').stderr
         self.assertIn('[3.0x y]', said)
 
+    def test_a_header_and_a_version_come_before_the_scene(self) -> None:
+        self.write('h.inc', '#declare R = 0.5; #debug concat("header ", str(version, 0, 2), "\\n")')
+        self.write('e.pov', 'sphere { 0, R }\n#debug concat("scene ", str(version, 0, 2), " ", str(R, 0, 2), "\\n")')
+        said = self.povray('e.pov', '+HIh.inc', '+W4', '+H3').stderr
+        self.assertIn('header 3.70\nscene 3.70 0.50\n', said)
+        said = self.povray('e.pov', 'Include_Header=h.inc', 'Version=3.5', '+W4', '+H3').stderr
+        self.assertIn('header 3.50\nscene 3.50 0.50\n', said)
+        self.refused('e.pov', '+HInone.inc', '+W4', '+H3', says="cannot find the file 'none.inc'")
+        self.refused('e.pov', '+MVold', says='expected a number')
+
     def test_called_by_the_name_of_povray(self) -> None:
         (self.folder / 'povray').symlink_to(ABBE)
         subprocess.run([self.folder / 'povray', 'a.pov', '+W8', '+H6'], cwd=self.folder, env=self.environment,
@@ -253,7 +263,7 @@ class PovrayTest(CliTest):
         self.refused('u.ini', says='ini files name each other')
 
     def test_what_is_not_done_is_refused(self) -> None:
-        for words in (('+GI',), ('All_File=x.txt',), ('+UF',), ('Dither=on',), ('+HIx.inc',), ('+AG1',)):
+        for words in (('+GI',), ('All_File=x.txt',), ('+UF',), ('Dither=on',), ('+AG1',)):
             self.refused('a.pov', *words, says='not supported')
         self.assertIn('runs no other programs',
                       self.povray('a.pov', '+W4', '+H3', 'Post_Scene_Command=rm x').stderr)

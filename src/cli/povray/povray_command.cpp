@@ -80,6 +80,16 @@ std::string find_input(PovraySettings const& settings) {
   return "";
 }
 
+/// What the options have read before the scene.
+std::string statements_before(PovraySettings const& settings) {
+  std::string text;
+  if (settings.version) text += fmt::format("#version {};\n", *settings.version);
+  if (settings.header.empty()) return text;
+  text += "#include \"";
+  for (char const c : settings.header) (text += c == '"' ? "\\" : "") += c;
+  return text + "\"\n";
+}
+
 SceneArguments scene_arguments(PovraySettings const& settings, lang::AnimationFrame const& frame,
                                std::string const& input) {
   SceneArguments scene;
@@ -87,6 +97,7 @@ SceneArguments scene_arguments(PovraySettings const& settings, lang::AnimationFr
   scene.width = settings.width;
   scene.height = settings.height;
   scene.declarations = settings.declarations;
+  scene.before = statements_before(settings);
   scene.include_dirs = settings.library_paths;
   scene.allow_write = true; // below the scene's folder, as POV-Ray's own restrictions have it
   scene.quiet = !settings.messages;
@@ -193,6 +204,7 @@ private:
     keeping.resume = settings_.continue_trace && fs::exists(keeping.path, none);
     std::string words = fmt::format("{} {} {}", settings_.quality, settings_.alpha, frame_.number);
     for (auto const& each : settings_.declarations) words += '\n' + each;
+    words += '\n' + statements_before(settings_);
     keeping.scene_identity = scene_identity(evaluated, words);
   }
 

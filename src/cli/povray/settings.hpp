@@ -36,6 +36,8 @@ struct PovraySettings {
   bool messages = true; ///< the texts of #debug, #render and #statistics
   std::vector<std::string> library_paths;
   std::vector<std::string> declarations; ///< NAME=VALUE
+  std::string header;                    ///< a file that is included before the scene; empty: none
+  std::optional<double> version;         ///< of the language, until the scene says another
   std::optional<double> clock;
   std::optional<int> initial_frame, final_frame;
   double initial_clock = 0, final_clock = 1;
