@@ -12,12 +12,19 @@ bool same_bits(Transform const& a, Transform const& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
+bool is_diagonal(Mat3 const& m) {
+  return m[0][1] == 0 && m[0][2] == 0 && m[1][0] == 0 && m[1][2] == 0 && m[2][0] == 0
+         && m[2][1] == 0;
+}
+
 } // namespace
 
 Placement::Placement(Transform const& transform)
     : scale_(transform.linear[0][0], transform.linear[1][1], transform.linear[2][2]),
       offset_(transform.offset) {
-  if (same_bits(transform, Transform::scaled_and_moved(scale_, offset_))) return;
+  if (is_diagonal(transform.linear)
+      && same_bits(transform, Transform::scaled_and_moved(scale_, offset_)))
+    return;
   whole_ = std::make_shared<Transform const>(transform);
   scale_ = Vec3(1);
   offset_ = Vec3(0);
