@@ -47,4 +47,31 @@ private:
   std::vector<std::uint32_t> items_;
 };
 
+/// visit(item) of each whose box meets a box of the same space, some perhaps that do not.
+template <class Visit>
+void each_meeting(Bvh const& bvh, BvhBox const& box, Visit const& visit) {
+  if (bvh.nodes().empty()) return;
+  std::uint32_t waiting[BvhNode::width * deepest_bvh];
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    BvhNode const& node = bvh.nodes()[waiting[--count]];
+    std::uint32_t apart[BvhNode::width] = {};
+    for (int axis = 0; axis < 3; ++axis) {
+      float const low = box.side[axis], high = -box.side[axis + 3];
+      for (std::size_t k = 0; k < BvhNode::width; ++k)
+        apart[k] |= static_cast<std::uint32_t>(!(node.planes[0][axis][k] <= high))
+                    | static_cast<std::uint32_t>(!(low <= node.planes[1][axis][k]));
+    }
+    for (std::size_t k = 0; k < BvhNode::width; ++k) {
+      if (apart[k] != 0 || node.count[k] == 0) continue;
+      if (node.count[k] == BvhNode::inner) {
+        waiting[count++] = node.first[k];
+        continue;
+      }
+      for (std::uint32_t i = 0; i < node.count[k]; ++i) visit(bvh.items()[node.first[k] + i]);
+    }
+  }
+}
+
 } // namespace abbe::geometry

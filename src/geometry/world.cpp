@@ -211,6 +211,17 @@ bool World::inside(PrimitiveId id, Vec3 const& point) const {
 Bounds World::bounds(SolidId id) const {
   return impl_->bounds(id);
 }
+void World::meeting(Vec3 const& low, Vec3 const& high, std::vector<SolidId>& out) const {
+  Impl::Group const& all = impl_->all;
+  out.insert(out.end(), all.infinite.begin(), all.infinite.end());
+  each_meeting(all.bvh, all.bvh.space().box(low, high, 0),
+               [&](std::uint32_t solid) { out.push_back(solid); });
+}
+std::optional<PrimitiveId> World::lone(SolidId id) const {
+  TracedSolid const& solid = impl_->solids[id];
+  if (solid.has_program()) return std::nullopt;
+  return solid.only();
+}
 std::optional<FaceBlend> World::face_blend(PrimitiveId id, std::uint32_t face,
                                            Vec3 const& point) const {
   Placed const& placed = impl_->primitives[id];

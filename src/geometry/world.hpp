@@ -132,6 +132,10 @@ public:
   /// Is the point inside the primitive?
   bool inside(PrimitiveId, Vec3 const& point) const;
   Bounds bounds(SolidId) const;
+  /// Appends the solids whose bounds meet a box, and some perhaps whose bounds do not.
+  void meeting(Vec3 const& low, Vec3 const& high, std::vector<SolidId>& out) const;
+  /// The primitive that a solid consists of, where it is one alone.
+  std::optional<PrimitiveId> lone(SolidId) const;
   /// Of a face whose corners have different textures: these, and their shares at the point.
   std::optional<FaceBlend> face_blend(PrimitiveId, std::uint32_t face, Vec3 const& point) const;
   /// The primitive's own surface coordinates at a point; x and y of its space where it has none.

@@ -84,6 +84,13 @@ void read_caustics(Reader& in, scene::Settings& settings) {
       std::erase_if(settings.effects.overrides, [](scene::EffectOverride const& known) {
         return known.effect == scene::Switch::Caustics;
       });
+    } else if (in.accept("evaluate")) {
+      if (in.accept("exact"))
+        settings.thrown.exact = true;
+      else if (in.accept("interpolated"))
+        settings.thrown.exact = false;
+      else
+        reject(in, "'exact' or 'interpolated'");
     } else if (in.accept("error")) {
       Span const value = in.next_span();
       double const error = in.number("error");

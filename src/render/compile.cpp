@@ -84,6 +84,7 @@ std::shared_ptr<transport::caustics::Caustics const> find_caustics(scene::Scene 
     settings.lamps.push_back((!light.area || scene.settings.thrown.photons) && !light.shadowless
                              && !light.projected_through);
   settings.error = scene.settings.thrown.error;
+  settings.exact = scene.settings.thrown.exact;
   settings.limits = {scene.settings.thrown.max_trace_level, scene.settings.thrown.adc_bailout};
   return std::make_shared<transport::caustics::Caustics const>(stage, settings);
 }

@@ -31,6 +31,7 @@ struct ThrownLight {
   bool caustics = false; ///< a global `caustics` block: glass and mirrors of metal throw light
   bool photons = false;  ///< a global `photons` block: so do objects that say so
   double error = 0.01;   ///< share of the thrown light that may be missing
+  bool exact = false;    ///< `evaluate exact`: without interpolation between the lamp's rays
   int max_trace_level = 16;
   double adc_bailout = 1.0 / 4096;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pixel.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 /// Light that glass and mirrors throw against closed formulas.
 namespace abbe::physics {
@@ -10,9 +12,27 @@ namespace {
 constexpr char const* white = "pigment { rgb 1 } finish { ambient 0 diffuse 1 }";
 /// Without Fresnel, as POV-Ray's: all that comes goes through.
 constexpr char const* clear = "pigment { rgbt 1 } finish { ambient 0 diffuse 0 }";
-std::string photons(double error) {
-  return fmt::format("global_settings {{ photons {{ }} caustics {{ error {} }} }}\n", error);
+std::string photons(double error, char const* evaluate = "exact") {
+  return fmt::format("global_settings {{ photons {{ }} caustics {{ error {} evaluate {} }} }}\n",
+                     error, evaluate);
 }
+
+/// How far values are off, as shares of what they should be, in order.
+class Shares {
+public:
+  void add(double seen, double expected) {
+    values_.push_back(std::abs(seen - expected) / expected);
+    std::ranges::sort(values_);
+  }
+  std::size_t count() const { return values_.size(); }
+  /// Of all but a share, the largest.
+  double all_but(double share) const {
+    return values_[static_cast<std::size_t>(static_cast<double>(count() - 1) * (1 - share))];
+  }
+
+private:
+  std::vector<double> values_;
+};
 
 /// A picture, as many pixels as it has, of a square of a plane z = `z`, seen from before it.
 std::string square(double side, double z) {
@@ -56,19 +76,24 @@ struct BallLens {
   }
 };
 
+constexpr double lens_side = 0.9;
+auto lens_picture(BallLens const& lens, int size, double error, char const* evaluate) {
+  return picture(
+      photons(error, evaluate) + square(lens_side, lens.plane)
+          + fmt::format("light_source {{ <0, 0, -8>, rgb 1 parallel point_at 0 }}\n"
+                        "sphere {{ 0, 1 {} interior {{ ior {} }} photons {{ target refraction on "
+                        "reflection off collect off }} }}\n"
+                        "plane {{ -z, {} {} }}\n",
+                        clear, lens.index, -lens.plane, white),
+      size, size);
+}
+
 TEST(Caustics, BallLensMeetsItsFormula) {
   constexpr int size = 24;
-  constexpr double side = 0.9;
+  constexpr double side = lens_side;
   for (auto const& [index, plane] : {std::pair(1.5, 1.3), {1.78, 1.2}, {1.33, 2.0}}) {
     BallLens const lens{index, plane};
-    auto const image = picture(
-        photons(0.0002) + square(side, plane)
-            + fmt::format("light_source {{ <0, 0, -8>, rgb 1 parallel point_at 0 }}\n"
-                          "sphere {{ 0, 1 {} interior {{ ior {} }} photons {{ target refraction on "
-                          "reflection off collect off }} }}\n"
-                          "plane {{ -z, {} {} }}\n",
-                          clear, index, -plane, white),
-        size, size);
+    auto const image = lens_picture(lens, size, 0.0002, "exact");
     int lit = 0;
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
@@ -80,6 +105,24 @@ TEST(Caustics, BallLensMeetsItsFormula) {
             << "index " << index << ", " << r << " from the axis";
       }
     EXPECT_GT(lit, size * size / 8);
+  }
+}
+
+TEST(Caustics, InterpolatedBallLensMeetsItsFormulaToAThousandth) {
+  constexpr int size = 32;
+  for (auto const& [index, plane] : {std::pair(1.5, 1.3), {1.78, 1.2}, {1.33, 2.0}}) {
+    BallLens const lens{index, plane};
+    auto const image = lens_picture(lens, size, 0.002, "interpolated");
+    Shares off;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        double const expected = lens.irradiance(glm::length(place_of(x, y, size, lens_side)));
+        if (expected > 0) off.add(pixel(image, x, y).x, expected);
+      }
+    EXPECT_GT(off.count(), std::size_t{size * size / 8});
+    EXPECT_LT(off.all_but(0.5), 3e-4) << "index " << index;
+    EXPECT_LT(off.all_but(0.05), 3e-3) << "index " << index;
+    EXPECT_LT(off.all_but(0), 0.05) << "index " << index; // beside the edge of the light
   }
 }
 
@@ -133,6 +176,56 @@ TEST(Caustics, PaneOfGlassGivesBackTheSumOfAllOrders) {
               4e-6); // orders below adc_bailout are left out
 }
 
+/// A mirror of radius 1 about (0, 0, -3) between a lamp at (0, 0, -10) and the plane z = 0.
+struct MirrorBall {
+  struct Ray {
+    double way = 0, rest = 0, cosine = 0, incidence = 0, lands = 0;
+  };
+  /// The ray that is mirrored `angle` from the axis.
+  static Ray ray(double angle) {
+    Vec2 const normal(std::sin(angle), -std::cos(angle)), lamp(0, -10);
+    Vec2 const at = Vec2(0, -3) + normal, d = glm::normalize(at - lamp);
+    double const c = -glm::dot(d, normal);
+    Vec2 const out = d + 2 * c * normal;
+    Ray ray{glm::distance(at, lamp), -at.y / out.y, out.y, c, 0};
+    ray.lands = at.x + ray.rest * out.x;
+    return ray;
+  }
+  /// Irradiance by way of the mirror, beside I, by the two radii of the front that it leaves.
+  static double irradiance(double r) {
+    // Between the ray that goes level and the one that grazes.
+    double low = 0.6, high = std::numbers::pi / 2 - std::asin(1.0 / 7);
+    for (int turn = 0; turn < 100; ++turn) {
+      double const middle = 0.5 * (low + high);
+      Ray const at = ray(middle);
+      (at.cosine <= 0 || at.lands > r ? low : high) = middle;
+    }
+    Ray const at = ray(0.5 * (low + high));
+    double const d = at.way, across = 1 / d + 2 / at.incidence, along = 1 / d + 2 * at.incidence;
+    double const whole = d + at.rest;
+    return whole * whole * at.cosine / (d * d * (1 + at.rest * across) * (1 + at.rest * along));
+  }
+};
+
+TEST(Caustics, MirrorBallLightsAFloorAsFarAsItGoes) {
+  for (auto const& [evaluate, share] : {std::pair("exact", 1e-6), {"interpolated", 3e-3}})
+    for (double const r : {2.0, 5.0, 30.0, 300.0, 3000.0}) {
+      auto const image = picture(
+          photons(0.002, evaluate)
+              + fmt::format("camera {{ orthographic location <{:.17g}, 0, -0.0078125> direction z "
+                            "right 1e-5*x up 1e-5*y }}\n"
+                            "light_source {{ <0, 0, -10>, rgb 1 }}\n"
+                            "sphere {{ <0, 0, -3>, 1 pigment {{ rgb 0 }} finish {{ ambient 0 "
+                            "diffuse 0 reflection 1 }} photons {{ target reflection on }} }}\n"
+                            "plane {{ -z, 0 {} }}\n",
+                            r, white),
+          1, 1);
+      double const direct = 10 / std::sqrt(100 + r * r), thrown = MirrorBall::irradiance(r);
+      EXPECT_NEAR(pixel(image, 0, 0).x, direct + thrown, share * thrown + 1e-7 * direct)
+          << evaluate << ", " << r << " from the axis; thrown is " << thrown;
+    }
+}
+
 /// Parallel light over the floor of half a cup, a mirror of radius 1 about the y axis.
 struct Cup {
   double slope; ///< tangent of the light's elevation
@@ -161,13 +254,10 @@ struct Cup {
   }
 };
 
-TEST(Caustics, CupMeetsItsFormula) {
-  constexpr int size = 21;
-  constexpr double side = 1.1;
-  Cup const cup{std::tan(radians(40)), 0.7};
-  // The floor is z = 0, light goes along x and down (z grows), the wall stands on it.
-  auto const image = picture(
-      photons(0.002) + square(side, 0)
+/// The floor is z = 0, light goes along x and down (z grows), the wall stands on it.
+auto cup_picture(Cup const& cup, int size, double side, char const* evaluate) {
+  return picture(
+      photons(0.002, evaluate) + square(side, 0)
           + fmt::format("light_source {{ <-8, 0, {:.17g}>, rgb 1 parallel point_at 0 }}\n"
                         "cylinder {{ 0, <0, 0, {}>, 1 open pigment {{ rgb 0 }} finish {{ ambient 0 "
                         "diffuse 0 reflection 1 }} clipped_by {{ plane {{ -x, 0 }} }} photons {{ "
@@ -175,6 +265,30 @@ TEST(Caustics, CupMeetsItsFormula) {
                         "plane {{ -z, 0 {} }}\n",
                         -8 * cup.slope, -cup.height, white),
       size, size);
+}
+
+TEST(Caustics, InterpolatedCupMeetsItsFormulaToAThousandth) {
+  constexpr int size = 41;
+  constexpr double side = 1.1;
+  Cup const cup{std::tan(radians(40)), 0.7};
+  auto const image = cup_picture(cup, size, side, "interpolated");
+  double const straight = cup.slope / std::sqrt(1 + cup.slope * cup.slope);
+  Shares off;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      Vec2 const at = place_of(x, y, size, side);
+      if (glm::length(at) < 0.98)
+        off.add(pixel(image, x, y).x, straight * (1 + cup.irradiance(at)));
+    }
+  EXPECT_LT(off.all_but(0.1), 1e-3);
+  EXPECT_LT(off.all_but(0), 0.02);
+}
+
+TEST(Caustics, CupMeetsItsFormula) {
+  constexpr int size = 21;
+  constexpr double side = 1.1;
+  Cup const cup{std::tan(radians(40)), 0.7};
+  auto const image = cup_picture(cup, size, side, "exact");
   double const straight = cup.slope / std::sqrt(1 + cup.slope * cup.slope);
   int lit = 0;
   for (int y = 0; y < size; ++y)
@@ -245,14 +359,16 @@ struct PrismAndSlit {
     }
     return sum / steps;
   }
-  static std::string scene(bool direct) {
+  static std::string scene(bool direct, char const* evaluate = "exact") {
     std::string const light =
         fmt::format("light_source {{ <-7, {:.17g}, 0>, rgb 1 parallel point_at <-3, -0.48, 0> }}\n",
                     -0.48 - 4 * std::tan(radians(rise_deg)));
     std::string const wall = fmt::format("plane {{ -x, -5 {} }}\n", white);
     // Two surfaces, and no more.
     std::string const bands =
-        "global_settings { spectral { bands 16 } caustics { max_trace_level 3 } }\n";
+        fmt::format("global_settings {{ spectral {{ bands 16 }} caustics {{ max_trace_level 3 "
+                    "evaluate {} }} }}\n",
+                    evaluate);
     std::string const camera =
         "camera { orthographic location <4.9, -2.3, 0> direction x up 2*y right -0.001*z }\n";
     if (direct) return bands + camera + light + wall;
@@ -265,10 +381,12 @@ struct PrismAndSlit {
   }
 };
 
-TEST(Caustics, PrismThrowsTheSpectrumOfASlit) {
+class Prism : public testing::TestWithParam<char const*> {};
+
+TEST_P(Prism, ThrowsTheSpectrumOfASlit) {
   constexpr int size = 48, bands = 16;
   auto const direct = picture(PrismAndSlit::scene(true), 1, 1, true).bands;
-  auto const image = picture(PrismAndSlit::scene(false), 1, size, true).bands;
+  auto const image = picture(PrismAndSlit::scene(false, GetParam()), 1, size, true).bands;
   ASSERT_EQ(image.size(), std::size_t{size} * bands);
   double largest = 0;
   int lit = 0;
@@ -285,6 +403,9 @@ TEST(Caustics, PrismThrowsTheSpectrumOfASlit) {
   EXPECT_GT(largest, 0.3);
   EXPECT_GT(lit, 24);
 }
+
+INSTANTIATE_TEST_SUITE_P(Caustics, Prism, testing::Values("exact", "interpolated"),
+                         [](auto const& one) { return std::string(one.param); });
 
 TEST(Caustics, OffLetsLightThroughGlassAsThroughAFilter) {
   std::string const scene =

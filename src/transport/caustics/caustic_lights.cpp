@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "transport/caustics/caustic_lights.hpp"
 
+#include "transport/caustics/through.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +13,13 @@ namespace {
 /// How often a band is halved where a root begins or ends in it, and where its light changes much.
 constexpr std::size_t most_roots = 32;
 constexpr int most_halvings = 10, smooth_halvings = 4;
+
+void describe(Root const& root, CausticLight& light) {
+  light.chain = root.chain;
+  light.turned = root.turned;
+  light.name = root.name;
+  light.inside = root.inside;
+}
 
 double brightness(Root const& root) {
   return root.flux / root.spread;
@@ -42,34 +51,77 @@ std::vector<CausticLight> const& CausticLights::lights() {
   return lights_;
 }
 
+std::pair<double, double> CausticLights::spectrum_of(std::size_t ray) const {
+  auto const& bands = caustics_.bands();
+  std::pair<double, double> out{1, 0};
+  if (bands.empty()) return out;
+  std::uint16_t const* const lanes = chunk_->channels + ray * chunk_->each;
+  for (std::size_t k = 0; k < chunk_->each; ++k) {
+    double const a = caustics_.place_of(bands[lanes[k]].low_nm),
+                 b = caustics_.place_of(bands[lanes[k]].high_nm);
+    out = {std::min({out.first, a, b}), std::max({out.second, a, b})};
+  }
+  return out;
+}
+
 void CausticLights::find() {
-  Chunk const& chunk = *chunk_;
   lights_.clear();
   values_.clear();
+  find_tours();
   for (std::size_t lamp = 0; lamp < stage_.lamps.size(); ++lamp) {
     if (!caustics_.follows(lamp)) continue;
-    SheetIndex const& index = caustics_.lamps()[lamp].index;
-    places_.clear();
-    ray_of_.clear();
-    std::size_t count = 0;
-    each_of(first_rays(chunk.count), [&](std::size_t r) {
-      if (over_.size() == count) over_.emplace_back();
-      index.find(chunk.point.get(r), over_[count]);
-      if (over_[count].empty()) return;
-      ++count;
-      LitPlace place;
-      place.point = chunk.point.get(r);
-      place.point_error = chunk.point_error.get(r);
-      place.geometric = chunk.geometric.get(r);
-      place.start = chunk.start_of(r, false);
-      places_.push_back(place);
-      ray_of_.push_back(static_cast<std::uint8_t>(r));
-    });
-    if (count == 0) continue;
     lamp_ = lamp;
-    find_whole();
-    if (!caustics_.bands().empty()) find_bands();
+    blocked_ = 0;
+    std::size_t const first = lights_.size();
+    RaySet later = 0;
+    for (Tour const& tour : tours_)
+      for (std::size_t k = 0; k < tour.rays.size(); ++k)
+        if (!tour.known(k)) later |= RaySet{1} << tour.rays[k];
+    std::vector<std::uint8_t> rays;
+    each_of(first_rays(chunk_->count) & ~later,
+            [&](std::size_t r) { rays.push_back(static_cast<std::uint8_t>(r)); });
+    find_on(rays);
+    if (later == 0) continue;
+    std::array<std::vector<std::uint32_t>, chunk_width> lights_of;
+    for (std::size_t k = first; k < lights_.size(); ++k)
+      lights_of[lights_[k].ray].push_back(static_cast<std::uint32_t>(k));
+    rays.clear();
+    for (Tour const& tour : tours_) {
+      if (fill_in(tour, lights_of)) continue;
+      for (std::size_t k = 0; k < tour.rays.size(); ++k)
+        if (!tour.known(k)) rays.push_back(tour.rays[k]);
+    }
+    find_on(rays);
   }
+}
+
+void CausticLights::find_on(std::span<std::uint8_t const> rays) {
+  Chunk const& chunk = *chunk_;
+  SheetIndex const& index = caustics_.lamps()[lamp_].index;
+  places_.clear();
+  ray_of_.clear();
+  wants_.clear();
+  for (std::uint8_t const r : rays) {
+    auto const [from, to] = spectrum_of(r);
+    wants_.push_back({chunk.point.get(r), from, to});
+  }
+  index.find(wants_, over_);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (over_[k].empty()) continue;
+    std::swap(over_[count++], over_[k]);
+    std::uint8_t const r = rays[k];
+    LitPlace place;
+    place.point = chunk.point.get(r);
+    place.point_error = chunk.point_error.get(r);
+    place.geometric = chunk.geometric.get(r);
+    place.start = chunk.start_of(r, false);
+    places_.push_back(place);
+    ray_of_.push_back(r);
+  }
+  if (count == 0) return;
+  find_whole();
+  if (!caustics_.bands().empty()) find_bands();
 }
 
 Ask CausticLights::ask_of(std::uint32_t place, int wave, std::uint32_t first,
@@ -99,14 +151,16 @@ void CausticLights::find_whole() {
   for (std::size_t k = 0; k < roots_.size(); ++k) {
     Root const& root = roots_[k];
     double const value = brightness(root);
-    if (!root.real || !std::isfinite(value)) continue;
     std::uint32_t const place = asks_.asks[root.ask].place;
+    if (!root.real) blocked_ |= RaySet{1} << ray_of_[place];
+    if (!root.real || !std::isfinite(value)) continue;
     CausticLight light;
     light.lamp = static_cast<std::uint32_t>(lamp);
     light.ray = ray_of_[place];
     light.toward = -root.direction;
     light.distance = root.distance;
     light.values = static_cast<std::uint32_t>(values_.size());
+    describe(root, light);
     for (std::size_t i = 0; i < chunk.each; ++i)
       values_.push_back(value * light_[k * chunk.each + i]
                         * colour[asks_.channels[root.ask * chunk.each + i]]);
@@ -122,6 +176,7 @@ void CausticLights::add(Piece const& piece, double value, Root const& root) {
   light.channel = piece.channel;
   light.toward = -root.direction;
   light.distance = root.distance;
+  describe(root, light);
   light.value = piece.share * value * stage_.lamps[lamp_]->value()[piece.channel];
   lights_.push_back(light);
 }
@@ -150,16 +205,20 @@ bool CausticLights::settle(Piece const& piece) {
   // its way. Where nothing comes at both ends, it may still come between them, if the way from one
   // to the other is longer than the smallest opening.
   bool alone = false, uneven = false;
-  for (std::size_t i = 0; i < low.size(); ++i) alone = alone || (low[i] == 0 && piece.low[i].real);
+  double const least = 2 * told_to / piece.share;
+  auto const matters = [&](Root const& root) { return root.real && !(brightness(root) <= least); };
+  for (std::size_t i = 0; i < low.size(); ++i)
+    alone = alone || (low[i] == 0 && matters(piece.low[i]));
   for (std::size_t i = 0; i < high.size(); ++i)
-    alone = alone || (high[i] == 0 && piece.high[i].real);
+    alone = alone || (high[i] == 0 && matters(piece.high[i]));
   std::vector<Sheet> const& sheets = caustics_.lamps()[lamp_].index.sheets();
   for (Pair const& pair : chosen) {
     Root const &a = piece.low[pair.low], &b = piece.high[pair.high];
     alone =
-        alone || a.real != b.real
+        alone || (a.real != b.real && (matters(a) || matters(b)))
         || (!a.real && pair.apart > 0.5 * std::min(sheets[a.sheet].grain, sheets[b.sheet].grain));
-    uneven = uneven || (a.real && (a.spread > 2 * b.spread || b.spread > 2 * a.spread));
+    uneven =
+        uneven || (matters(a) && b.real && (a.spread > 2 * b.spread || b.spread > 2 * a.spread));
   }
   // Where a whole ring of rays comes to one place there is no end of roots.
   bool const many = piece.low.size() + piece.high.size() > most_roots;
@@ -186,27 +245,6 @@ bool CausticLights::settle(Piece const& piece) {
   return true;
 }
 
-namespace {
-
-/// Bands that are looked at together where light changes evenly from one to the next.
-constexpr std::size_t coarse = 4;
-/// How well the others have to tell the middle one, for the rest to be told by all.
-constexpr double even = 2e-3;
-
-/// Of a value at a place among others, by the polynomial through them.
-double through(std::span<double const> places, std::span<double const> values, double at) {
-  double sum = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    double share = values[i];
-    for (std::size_t k = 0; k < places.size(); ++k)
-      if (k != i) share *= (at - places[k]) / (places[i] - places[k]);
-    sum += share;
-  }
-  return sum;
-}
-
-} // namespace
-
 std::uint32_t CausticLights::list_of(std::uint32_t place, int chain, bool disperses,
                                      bool coloured_only, bool clear_only) {
   std::vector<Sheet> const& sheets = caustics_.lamps()[lamp_].index.sheets();
@@ -216,7 +254,7 @@ std::uint32_t CausticLights::list_of(std::uint32_t place, int chain, bool disper
     if (of.disperses != disperses || (chain >= 0 && own != chain) || (coloured_only && !of.coloured)
         || (clear_only && of.coloured))
       continue;
-    asks_.sheets.push_back(over.sheet);
+    asks_.sheets.push_back(over);
   }
   return static_cast<std::uint32_t>(asks_.sheets.size());
 }
@@ -236,6 +274,7 @@ void CausticLights::take_roots() {
   for (std::size_t k = 0; k < roots_.size(); ++k) {
     Root const& root = roots_[k];
     std::uint32_t const place = asks_.asks[root.ask].place;
+    if (!root.real) blocked_ |= RaySet{1} << ray_of_[place];
     auto& found = found_[{place, root.chain}];
     found.resize(stops_[place].size());
     Ends& ends = found[stop_of_ask_[root.ask]];
@@ -247,6 +286,9 @@ void CausticLights::take_roots() {
   asks_.clear();
   stop_of_ask_.clear();
 }
+
+/// By what a wavelength may be off that was turned into a place in the spectrum and back.
+constexpr double at_stop = 1e-9;
 
 void CausticLights::find_stops(std::uint32_t place, std::vector<std::uint16_t> const& wanted) {
   auto const& bands = caustics_.bands();
@@ -263,20 +305,27 @@ void CausticLights::find_stops(std::uint32_t place, std::vector<std::uint16_t> c
   // A beam that passes the place within less than a band is looked for where it passes.
   std::vector<double> more;
   std::vector<Sheet> const& sheets = caustics_.lamps()[lamp_].index.sheets();
-  std::map<int, std::pair<double, double>> passes; // by chain
+  struct Pass {
+    double from = 1, to = 0;
+    bool loose = false; ///< where some beam passes is known to a quarter of its width only
+  };
+  std::map<int, Pass> passes; // by chain
   for (SheetIndex::Over const& over : over_[place]) {
-    int const chain = sheets[over.sheet].chain;
-    if (!caustics_.chains()[chain].disperses) continue;
-    auto const [own, fresh] = passes.emplace(chain, std::pair(over.from, over.to));
-    own->second.first = std::min(own->second.first, over.from);
-    own->second.second = std::max(own->second.second, over.to);
+    Sheet const& sheet = sheets[over.sheet];
+    if (!caustics_.chains()[sheet.chain].disperses) continue;
+    Pass& pass = passes[sheet.chain];
+    pass.from = std::min(pass.from, over.from);
+    pass.to = std::max(pass.to, over.to);
+    pass.loose = pass.loose || sheet.map < 0;
   }
   for (auto const& [chain, pass] : passes) {
-    double const a = caustics_.lambda_at(pass.first), b = caustics_.lambda_at(pass.second);
+    double const a = caustics_.lambda_at(pass.from), b = caustics_.lambda_at(pass.to);
     double const low = std::min(a, b), high = std::max(a, b);
     std::size_t inside = 0;
-    for (Stop const& stop : stops) inside += low <= stop.nm && stop.nm <= high ? 1 : 0;
-    if (inside > 2) continue;
+    for (Stop const& stop : stops)
+      inside += low * (1 - at_stop) <= stop.nm && stop.nm <= high * (1 + at_stop) ? 1 : 0;
+    bool const all_of_one = wanted.size() == 1 && inside == 2 && !pass.loose;
+    if (inside > 2 || all_of_one) continue;
     for (double const share : {0.0, 0.25, 0.5, 0.75, 1.0})
       more.push_back(low + share * (high - low));
   }
@@ -351,15 +400,7 @@ bool CausticLights::fill_in(std::uint32_t place, std::vector<Ends>& found) const
                               flux = values([](Root const&r) { return r.flux; });
     for (std::size_t i = 1; i < known.size(); ++i)
       if (spread[i] > 2 * spread[i - 1] || spread[i - 1] > 2 * spread[i]) return false;
-    // Are they even? Each between is told by the others.
-    for (std::size_t i = 1; i + 1 < known.size(); ++i)
-      for (auto const* const list : {&spread, &flux}) {
-        std::vector<double> others = *list, places = at;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
-        double const told = through(places, others, at[i]);
-        if (!(std::abs(told - (*list)[i]) <= even * std::abs((*list)[i]))) return false;
-      }
+    if (!is_even(at, spread) || !is_even(at, flux)) return false;
     for (std::size_t k = 0; k < stops.size(); ++k) {
       if (!stops[k].later) continue;
       double const here = caustics_.place_of(stops[k].nm);

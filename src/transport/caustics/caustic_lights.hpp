@@ -4,6 +4,7 @@
 #include "transport/caustics/connector.hpp"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace abbe::transport::caustics {
@@ -19,6 +20,11 @@ struct CausticLight {
   double distance = 0;       ///< to the last surface
   double value = 0;          ///< of a channel
   std::uint32_t values = 0;  ///< place of the first lane's
+  // What tells it from others, and what it is made of.
+  int chain = 0;
+  bool turned = false;
+  Vec3 name{0};                                ///< Emission::name
+  std::array<double, most_absorbing> inside{}; ///< its ways in Chain::absorbing
 };
 
 /// The caustic light on the surfaces of a chunk; one for each thread.
@@ -50,6 +56,23 @@ private:
     std::vector<Root> low, high; ///< with the light of both lanes in `flux` of this channel
   };
   void find();
+  /// Of the lamp in work, on some of the chunk's rays.
+  void find_on(std::span<std::uint8_t const> rays);
+  /// Rays of one wavelength each from one ray of all, in the order of the spectrum: their light
+  /// changes evenly from one to the next, where their places do.
+  struct Tour {
+    std::vector<std::uint8_t> rays;
+    std::size_t step = 1; ///< every so many are known
+    bool known(std::size_t k) const { return k % step == 0 || k + 1 == rays.size(); }
+  };
+  void find_tours();
+  /// Lights on the rays of a tour that are not known, by those of the others. @return false: they
+  /// are not even
+  bool fill_in(Tour const& tour, std::span<std::vector<std::uint32_t> const> lights_of);
+  /// What media leave of a light in a channel.
+  double absorbed(CausticLight const& light, std::uint16_t channel) const;
+  /// What of the spectrum the lanes of a ray stand for: Caustics::place_of.
+  std::pair<double, double> spectrum_of(std::size_t ray) const;
   /// A wavelength that a place is asked at, with the channels below and above it.
   struct Stop {
     double nm;
@@ -84,6 +107,7 @@ private:
   Waves waves_;
   Connector connector_;
   Connector::Asks asks_;
+  std::vector<SheetIndex::Want> wants_;
   std::vector<LitPlace> places_;
   std::vector<std::uint8_t> ray_of_; ///< by place
   Chunk const* chunk_ = nullptr;
@@ -91,7 +115,9 @@ private:
   bool known_ = false;
   std::vector<std::vector<SheetIndex::Over>> over_; ///< by place: sheets whose beams may hold it
   std::size_t lamp_ = 0;
-  std::vector<std::vector<Stop>> stops_;                             ///< by place
+  std::vector<Tour> tours_;
+  RaySet blocked_ = 0;                   ///< rays of the chunk that something keeps light from
+  std::vector<std::vector<Stop>> stops_; ///< by place
   std::map<std::pair<std::uint32_t, int>, std::vector<Ends>> found_; ///< by place and chain
   std::vector<std::uint32_t> stop_of_ask_;
   std::vector<Root> roots_;

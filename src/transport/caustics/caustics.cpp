@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "transport/caustics/caustics.hpp"
 
+#include "transport/caustics/beam_fitter.hpp"
+#include "transport/caustics/certainty.hpp"
+
 #include <algorithm>
 
 namespace abbe::transport::caustics {
@@ -16,8 +19,16 @@ Ball ball_of(geometry::Bounds const& box) {
   return {0.5 * (box.low + box.high), 0.5 * glm::length(box.high - box.low)};
 }
 
+/// How far light is followed that meets nothing, in sizes of what is finite, where something that
+/// it falls on has no end.
+constexpr double endless = 4096;
+
+/// Sheets with so small a share of the light do not pay for maps: few places ask for them.
+constexpr double too_little = 0x1p-16;
+
 SheetBuilder::Places places_of(Stage const& stage) {
   SheetBuilder::Places places;
+  places.receivers = Receivers(stage);
   geometry::Bounds hull;
   for (geometry::SolidId solid = 0; solid < stage.solids.size(); ++solid) {
     geometry::Bounds const box = stage.world->bounds(solid);
@@ -27,16 +38,9 @@ SheetBuilder::Places places_of(Stage const& stage) {
       places.casters.push_back(ball_of(box));
       places.casters_hull = around(places.casters_hull, box);
     }
-    if (stage.solid_receives[solid]) places.receivers.push_back(box);
   }
-  // More of them than pay for a look at each: all at once.
-  constexpr std::size_t many = 64;
-  if (places.receivers.size() > many) {
-    geometry::Bounds all;
-    for (auto const& box : places.receivers) all = around(all, box);
-    places.receivers = {all};
-  }
-  places.far = hull.empty() ? 1 : glm::length(hull.high - hull.low);
+  places.size = hull.empty() ? 1 : glm::length(hull.high - hull.low);
+  places.far = places.receivers.endless() ? endless * places.size : places.size;
   return places;
 }
 
@@ -104,8 +108,27 @@ Caustics::Caustics(Stage const& stage, Settings const& settings)
     std::vector<Sheet> sheets;
     own.found = builder.build(static_cast<int>(lamp), *own.emission, sheets);
     own.root_level = builder.root_level();
-    own.index = SheetIndex(std::move(sheets));
+    if (!settings.exact) sheets = interpolated(stage, sheets, own);
+    own.index = SheetIndex(std::move(sheets), places.receivers);
   }
+}
+
+std::vector<Sheet> Caustics::interpolated(Stage const& stage, std::vector<Sheet> const& sheets,
+                                          OfLamp& own) const {
+  std::vector<Sheet> out;
+  ForcedPaths forced(stage, waves_);
+  BeamFitter fitter(forced, *own.emission, spectrum_);
+  double total = 0;
+  for (Sheet const& sheet : sheets) total += sheet.flux;
+  for (Sheet const& sheet : sheets)
+    if (sheet.flux < too_little * total)
+      out.push_back(sheet);
+    else
+      fitter.cut(chains_[sheet.chain], sheet, out, own.maps);
+  LightPaths paths(stage, waves_, limits_);
+  Certainty(stage, forced, paths, *own.emission, spectrum_, chains_).find(out);
+  own.found.rays += forced.rays() + paths.rays();
+  return out;
 }
 
 double Caustics::missing() const {

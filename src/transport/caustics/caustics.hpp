@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "transport/caustics/beam_map.hpp"
 #include "transport/caustics/chain.hpp"
 #include "transport/caustics/emission.hpp"
 #include "transport/caustics/light_paths.hpp"
@@ -12,13 +13,14 @@
 #include <vector>
 
 /// The light that glass and mirrors throw: chains of refraction and reflection are found from the
-/// lamp, and each shading point is connected to the lamp by Newton's iteration on real rays
-/// (docs/caustics.md).
+/// lamp, and each shading point is connected to the lamp by Newton's iteration, on real rays or on
+/// polynomials through them (docs/caustics.md).
 namespace abbe::transport::caustics {
 
 struct Settings {
   Limits limits;
   double error = 0.01;     ///< share of the flux that may be missing
+  bool exact = false;      ///< each place is led to by real rays alone, without polynomials
   std::vector<bool> lamps; ///< by lamp: those whose light is followed
 };
 
@@ -31,6 +33,7 @@ public:
   struct OfLamp {
     std::optional<Emission> emission; ///< nullopt: its light is not followed
     SheetIndex index;
+    std::vector<BeamMap> maps; ///< of its sheets
     Found found;
     int root_level = 0;
   };
@@ -55,6 +58,9 @@ public:
 
 private:
   void add_waves(Stage const& stage);
+  /// Sheets cut into pieces with maps.
+  std::vector<Sheet> interpolated(Stage const& stage, std::vector<Sheet> const& sheets,
+                                  OfLamp& own) const;
   Limits limits_;
   Waves waves_;
   ChainTable chains_;

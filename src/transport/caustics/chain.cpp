@@ -3,6 +3,8 @@
 
 #include "base/word_hash.hpp"
 
+#include <algorithm>
+
 namespace abbe::transport::caustics {
 
 std::uint64_t ChainTable::key(int chain, Step const& step) {
@@ -26,6 +28,12 @@ int ChainTable::extended(int chain, Step const& step, Colours const& colours) {
   fresh.bends = fresh.bends || step.bends;
   fresh.disperses = fresh.disperses || colours.disperses;
   fresh.coloured = fresh.coloured || colours.coloured;
+  fresh.plain = fresh.plain && colours.plain;
+  if (colours.absorbing >= 0
+      && std::ranges::find(fresh.absorbing, colours.absorbing) == fresh.absorbing.end()) {
+    fresh.plain = fresh.plain && fresh.absorbing.size() < most_absorbing;
+    fresh.absorbing.push_back(colours.absorbing);
+  }
   chains_.push_back(std::move(fresh));
   known_.emplace(at, count() - 1);
   return count() - 1;

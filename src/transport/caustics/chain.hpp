@@ -13,6 +13,7 @@ namespace abbe::transport::caustics {
 /// One surface on the way of light from a lamp, and how it went on there.
 struct Step {
   geometry::PrimitiveId primitive = 0;
+  geometry::SolidId solid = 0; ///< whose surface it is; not compared
   std::uint32_t face = 0; ///< of a flat one; else 0, as a curved surface is one whatever its faces
   bool flat = false;
   bool entering = false;     ///< the primitive
@@ -36,7 +37,13 @@ struct Chain {
   bool bends = false;     ///< some step is a caster's
   bool disperses = false; ///< its rays depend on the wavelength
   bool coloured = false;  ///< what it leaves of light depends on the channel by more than the index
+  /// What it leaves of light is told by Fresnel's equations and by ways in media that absorb.
+  bool plain = true;
+  std::vector<int> absorbing; ///< these media, of a plain one
 };
+
+/// Media that absorb light of a plain chain, at most.
+inline constexpr std::size_t most_absorbing = 2;
 
 /// All chains that were met; number 0 is the empty one.
 class ChainTable {
@@ -48,6 +55,8 @@ public:
   struct Colours {
     bool disperses = false; ///< it bends them apart
     bool coloured = false;  ///< it, or the way to it, takes of some more than of others
+    bool plain = false;     ///< Chain::plain, with the way to it
+    int absorbing = -1;     ///< the medium of that way, where it absorbs; -1: it does not
   };
   /// The chain with one step more.
   int extended(int chain, Step const& step, Colours const& colours);

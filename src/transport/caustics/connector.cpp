@@ -10,6 +10,10 @@ namespace {
 /// How far outside of a triangle of nodes a guess may be: the map is not quite what they say.
 constexpr double most_slack = 0.5, flat_slack = 0.25;
 constexpr int most_turns = 40;
+/// Area of a map beside the square of its length.
+constexpr double thin = 0.05;
+/// How far from where it is a root of a map may be inside of a cell, in half sides of it.
+constexpr double most_astray = 0x1p-6;
 
 using Axes = std::pair<Vec3, Vec3>;
 
@@ -20,8 +24,12 @@ Vec2 passes(Axes const& axes, Vec3 const& point, Vec3 const& origin, Vec3 const&
   return {glm::dot(off, axes.first), glm::dot(off, axes.second)};
 }
 
-/// Of half a cell: far more than a root is off.
-constexpr double at_edge = 0x1p-16;
+/// Of half a cell: far more than a root is off; and than polynomials are.
+constexpr double at_edge = 0x1p-16, at_edge_of_map = 0x1p-7;
+
+double edge_of(Sheet const& sheet) {
+  return sheet.map >= 0 ? at_edge_of_map : at_edge;
+}
 
 } // namespace
 
@@ -55,7 +63,7 @@ void Connector::guess(Sheet const& sheet, std::uint32_t ask, std::uint32_t numbe
     low_y = std::min(low_y, y[k]);
     high_y = std::max(high_y, y[k]);
   }
-  float const more_x = 0.25F * (high_x - low_x), more_y = 0.25F * (high_y - low_y);
+  float const more_x = sheet.margin * (high_x - low_x), more_y = sheet.margin * (high_y - low_y);
   if (low_x - more_x > 0 || high_x + more_x < 0 || low_y - more_y > 0 || high_y + more_y < 0)
     return;
   std::array<Vec2, 9> q;
@@ -91,6 +99,15 @@ void Connector::guess(Sheet const& sheet, std::uint32_t ask, std::uint32_t numbe
     for (Guess const& one : guesses)
       if (one.slack <= most_slack) add(one.at);
     return;
+  }
+  // Where all nodes are nearly on a line, places in triangles tell little.
+  Vec2 const by_x = q[5] - q[3], by_y = q[7] - q[1];
+  if (std::abs(by_x.x * by_y.y - by_x.y * by_y.x)
+      < thin * (glm::dot(by_x, by_x) + glm::dot(by_y, by_y))) {
+    auto const nearest = std::min_element(q.begin(), q.end(), [](Vec2 const& i, Vec2 const& k) {
+      return glm::dot(i, i) < glm::dot(k, k);
+    });
+    return add(node_place(static_cast<int>(nearest - q.begin())));
   }
   auto const best =
       std::min_element(guesses.begin(), guesses.end(),
@@ -201,16 +218,96 @@ void Connector::iterate() {
   }
 }
 
-void Connector::measure() {
+void Connector::solve(Sheet const& sheet, BeamMap const& map, std::size_t first, Vec3 const& point,
+                      double weight) {
+  if (first == tasks_.size()) return;
+  double const w = 2 * (weight - sheet.from) / (sheet.to - sheet.from) - 1;
+  Vec3 const off = point - sheet.middle;
+  Vec3 const local(glm::dot(off, sheet.across), glm::dot(off, sheet.up),
+                   glm::dot(off, sheet.along));
+  BeamMap::Passing const passing = map.passing(w, local);
+  double const half = 0.5 * sheet.cell.size();
+  Vec2 const middle = sheet.cell.low() + Vec2(half);
+  // Where the map is nearly folded its polynomials may tell less than where the ray is.
+  auto const astray = [&](BeamMap::Offset const& o, double det) {
+    double const longest = glm::dot(o.by_u, o.by_u) + glm::dot(o.by_v, o.by_v);
+    return map.off() * longest / std::abs(det);
+  };
+  for (std::size_t k = first; k < tasks_.size(); ++k) {
+    Task& task = tasks_[k];
+    task.state = Task::State::Lost;
+    Vec2 u = (task.u - middle) / half;
+    BeamMap::Offset o{};
+    double rest = INFINITY, det = 0;
+    int slow = 0;
+    for (int turns = 0; turns < most_turns; ++turns) {
+      o = BeamMap::offset(passing, u);
+      det = o.by_u.x * o.by_v.y - o.by_u.y * o.by_v.x;
+      Vec2 step{(-o.at.x * o.by_v.y + o.at.y * o.by_v.x) / det,
+                (-o.by_u.x * o.at.y + o.by_u.y * o.at.x) / det};
+      double const long_way = std::max(std::abs(step.x), std::abs(step.y));
+      if (!std::isfinite(long_way)) {
+        task.state = Task::State::Going;
+        break;
+      }
+      if (long_way > 1.4) step *= 1.4 / long_way;
+      double const now = glm::dot(o.at, o.at);
+      slow = now > 0.5 * rest ? slow + 1 : 0;
+      rest = now;
+      u += step;
+      if (!(std::abs(u.x) <= 2.2 && std::abs(u.y) <= 2.2) || slow >= 3) {
+        if (!(astray(o, det) < 0.5)) task.state = Task::State::Going;
+        break;
+      }
+      if (long_way > 0x1p-20) continue;
+      double const by = astray(o, det);
+      double const to_edge = std::abs(std::max(std::abs(u.x), std::abs(u.y)) - 1);
+      if (!(by <= 0.5 * at_edge_of_map) && !(by <= most_astray && to_edge > 4 * by)) {
+        task.state = Task::State::Going;
+        break;
+      }
+      if (std::abs(u.x) <= 1 + at_edge_of_map && std::abs(u.y) <= 1 + at_edge_of_map)
+        task.state = Task::State::Measured;
+      break;
+    }
+    if (task.state != Task::State::Measured) continue;
+    BeamMap::Ray const ray = map.ray(w, u);
+    double const lean = std::sqrt(1 + ray[BeamMap::SlopeX] * ray[BeamMap::SlopeX]
+                                  + ray[BeamMap::SlopeY] * ray[BeamMap::SlopeY]);
+    Root& root = task.root;
+    task.u = middle + half * u;
+    root.ask = task.ask;
+    root.sheet = task.sheet;
+    root.chain = sheet.chain;
+    root.turned = det < 0;
+    root.spread = std::abs(det) / (half * half * lean);
+    root.distance = (local.z - ray[BeamMap::Begin]) * lean;
+    root.direction =
+        (sheet.along + ray[BeamMap::SlopeX] * sheet.across + ray[BeamMap::SlopeY] * sheet.up)
+        / lean;
+    root.way = ray[BeamMap::Way];
+    root.share = ray[BeamMap::Share];
+    root.inside = {ray[BeamMap::Inside], ray[BeamMap::Inside2]};
+    root.name = of_->emission->name({sheet.cell.face, task.u});
+    if (!(root.distance > 0)) task.state = Task::State::Lost;
+  }
+}
+
+void Connector::own() {
   using State = Task::State;
   // The owner of a root is the cell that it lies in; at its edge, within rounding, so is the next.
   for (Task& task : tasks_) {
     if (task.state != State::Found) continue;
-    Cell const& cell = sheet_of(task).cell;
+    Sheet const& sheet = sheet_of(task);
+    Cell const& cell = sheet.cell;
     Vec2 const at = 2.0 * (task.u - cell.low()) / cell.size();
-    constexpr double low = -at_edge, high = 2 + at_edge;
+    double const low = -edge_of(sheet), high = 2 + edge_of(sheet);
     if (!(at.x >= low && at.x <= high && at.y >= low && at.y <= high)) task.state = State::Lost;
   }
+}
+
+void Connector::measure() {
+  using State = Task::State;
   by_chain(State::Found, chunk_width / 5, [&](int chain, std::span<std::uint32_t const> some) {
     rays_.count = 5 * some.size();
     std::array<std::array<double, 2>, chunk_width / 5> h;
@@ -254,21 +351,29 @@ void Connector::measure() {
       task.root.distance = glm::dot(x - o, d);
       task.root.direction = d;
       task.root.way = rays_.length[5 * k];
+      task.root.share = rays_.share[5 * k];
+      task.root.inside = {rays_.inside[0][5 * k], rays_.inside[1][5 * k]};
       Emission::Place const place{sheet_of(task).cell.face, task.u};
       task.root.name = of_->emission->name(place);
-      if (!(task.root.distance > 0)) task.state = State::Lost;
+      task.state = task.root.distance > 0 ? State::Measured : State::Lost;
     }
   });
+}
+
+void Connector::drop_twins() {
+  using State = Task::State;
   // One that was found twice is one: others of the same chain and side are never so near.
   for (std::size_t k = 0; k < tasks_.size(); ++k) {
     Task& task = tasks_[k];
-    if (task.state != State::Found) continue;
-    double const near = 8 * at_edge * sheet_of(task).cell.size();
+    if (task.state != State::Measured) continue;
+    Sheet const& own = sheet_of(task);
+    double const near = 8 * edge_of(own) * own.cell.size();
     for (std::size_t i = k; i-- > 0 && tasks_[i].ask == task.ask;) {
       Task const& other = tasks_[i];
-      if (other.state == State::Found && other.root.chain == task.root.chain
+      if (other.state == State::Measured && other.root.chain == task.root.chain
           && other.root.turned == task.root.turned
-          && glm::distance(other.root.name, task.root.name) <= near) {
+          && glm::distance(other.root.name, task.root.name)
+                 <= std::max(near, 8 * edge_of(sheet_of(other)) * sheet_of(other).cell.size())) {
         task.state = State::Lost;
         break;
       }
@@ -321,15 +426,52 @@ void Connector::strengths(std::vector<Root>& roots) const {
 }
 
 void Connector::verify(Asks const& asks, std::vector<Root>& roots, std::vector<double>& light) {
-  // The real rays, from the lamp to the last surface.
+  std::vector<std::uint32_t> of;
+  for (std::uint32_t k = 0; k < tasks_.size(); ++k)
+    if (tasks_[k].state == Task::State::Measured) of.push_back(k);
+  if (of.empty()) return;
+  std::size_t const first = roots.size();
+  light.resize((first + of.size()) * asks.each);
+  std::vector<std::uint8_t> real(of.size(), 0);
+  follow_real(asks, of, real, light.data() + first * asks.each);
+  look_back(asks, of, real);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    Root& root = tasks_[of[i]].root;
+    root.real = real[i] != 0;
+    roots.push_back(root);
+    if (!root.real) continue;
+    double* const own = light.data() + (first + i) * asks.each;
+    Chain const& chain = caustics_.chains()[root.chain];
+    Passage way{1, asks.each, asks.channels.data() + root.ask * asks.each, nullptr, own, true};
+    if (sheet_of(tasks_[of[i]]).certain) {
+      std::fill_n(own, asks.each, root.share);
+      for (std::size_t m = 0; m < chain.absorbing.size(); ++m) {
+        way.distance = &root.inside[m];
+        Way::along(stage_.medium(chain.absorbing[m]), way);
+      }
+    }
+    Step const& last = chain.steps.back();
+    Medium const& medium = stage_.medium(last.mirror ? last.before : last.after);
+    if (medium.segments.empty()) continue;
+    way.distance = &root.distance;
+    Way::along(medium, way);
+    Way::leave(medium, way);
+  }
+}
+
+void Connector::follow_real(Asks const& asks, std::vector<std::uint32_t> const& of,
+                            std::vector<std::uint8_t>& real, double* light) {
   LightPaths::Starts starts;
   starts.each = asks.each;
   starts.in_order = asks.in_order;
   starts.lamp = lamp_;
-  std::vector<std::uint32_t> of;
-  for (std::uint32_t k = 0; k < tasks_.size(); ++k) {
-    Task const& task = tasks_[k];
-    if (task.state != Task::State::Found) continue;
+  std::vector<std::uint32_t> followed;
+  for (std::uint32_t i = 0; i < of.size(); ++i) {
+    Task const& task = tasks_[of[i]];
+    if (sheet_of(task).certain) {
+      real[i] = 1;
+      continue;
+    }
     Emission::Place const place{sheet_of(task).cell.face, task.u};
     starts.origin.push_back(of_->emission->origin(place));
     starts.direction.push_back(of_->emission->direction(place));
@@ -339,35 +481,13 @@ void Connector::verify(Asks const& asks, std::vector<Root>& roots, std::vector<d
     starts.channels.insert(starts.channels.end(),
                            asks.channels.begin() + static_cast<std::ptrdiff_t>(lane),
                            asks.channels.begin() + static_cast<std::ptrdiff_t>(lane + asks.each));
-    of.push_back(k);
+    followed.push_back(i);
   }
-  if (of.empty()) return;
+  if (followed.empty()) return;
   paths_.along_targets(starts, caustics_.chains(), segments_, arrived_);
-  std::vector<std::uint8_t> real(of.size(), 0);
-  for (auto const& segment : segments_) real[segment.ray] = 1;
-  look_back(asks, of, real);
-  std::size_t const first = roots.size();
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    Root& root = tasks_[of[i]].root;
-    root.real = real[i] != 0;
-    roots.push_back(root);
-  }
-  light.insert(light.end(), arrived_.begin(), arrived_.end());
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    Root const& root = roots[first + i];
-    if (!root.real) continue;
-    Step const& last = caustics_.chains()[root.chain].steps.back();
-    Medium const& medium = stage_.medium(last.mirror ? last.before : last.after);
-    if (medium.segments.empty()) continue;
-    Passage const way{1,
-                      asks.each,
-                      starts.channels.data() + i * asks.each,
-                      &root.distance,
-                      light.data() + (first + i) * asks.each,
-                      true};
-    Way::along(medium, way);
-    Way::leave(medium, way);
-  }
+  for (auto const& segment : segments_) real[followed[segment.ray]] = 1;
+  for (std::size_t k = 0; k < followed.size(); ++k)
+    std::copy_n(arrived_.data() + k * asks.each, asks.each, light + followed[k] * asks.each);
 }
 
 void Connector::look_back(Asks const& asks, std::vector<std::uint32_t> const& of,
@@ -407,7 +527,8 @@ void Connector::look_back(Asks const& asks, std::vector<std::uint32_t> const& of
       for (auto const& crossing : hits_.groups[hits_.group[k]].crossings)
         is = is || crossing.primitive == last.primitive;
     // Another crossing of the same surface is not as near as this.
-    double const close = std::ldexp(root.distance, -16) + 16 * hits_.error[k];
+    double const share = of_->index.sheets()[root.sheet].map >= 0 ? 0x1p-7 : 0x1p-16;
+    double const close = share * root.distance + 16 * hits_.error[k];
     if (!is || !(std::abs(hits_.t[k] - root.distance) <= close)) real[looking[k]] = 0;
   }
 }
@@ -426,11 +547,21 @@ void Connector::find(std::size_t lamp, std::vector<LitPlace> const& places,
   std::vector<Sheet> const& sheets = of_->index.sheets();
   for (std::uint32_t a = 0; a < asks.asks.size(); ++a) {
     Ask const& ask = asks.asks[a];
-    for (std::uint32_t k = ask.first; k < ask.last; ++k)
-      guess(sheets[asks.sheets[k]], a, asks.sheets[k], places[ask.place].point, ask.weight);
+    for (std::uint32_t k = ask.first; k < ask.last; ++k) {
+      SheetIndex::Over const& over = asks.sheets[k];
+      if (!(over.from <= ask.weight && ask.weight <= over.to)) continue;
+      Sheet const& sheet = sheets[over.sheet];
+      std::size_t const before = tasks_.size();
+      guess(sheet, a, over.sheet, places[ask.place].point, ask.weight);
+      if (sheet.map >= 0)
+        solve(sheet, of_->maps[static_cast<std::size_t>(sheet.map)], before,
+              places[ask.place].point, ask.weight);
+    }
   }
   iterate();
+  own();
   measure();
+  drop_twins();
   verify(asks, roots, light);
   strengths(roots);
 }

@@ -35,8 +35,10 @@ struct Root {
   double spread = 0;            ///< |J|: area across the ray a unit of the emission
   double flux = 0;              ///< of the lamp, a unit of the emission; but for what surfaces took
   double way = 0, distance = 0; ///< to the last surface, and from it
-  Vec3 direction{0};            ///< unit, of the light
-  Vec3 name{0};                 ///< Emission::name
+  double share = 0;             ///< that surfaces left of the light; of sheets that are certain
+  std::array<double, most_absorbing> inside{}; ///< and its ways in Chain::absorbing
+  Vec3 direction{0};                           ///< unit, of the light
+  Vec3 name{0};                                ///< Emission::name
 };
 
 /// Finds all rays of a lamp that come to places, of the chains of its sheets: guesses from the
@@ -49,7 +51,7 @@ public:
   /// Asks with the lanes that each wants light in.
   struct Asks {
     std::vector<Ask> asks;
-    std::vector<std::uint32_t> sheets; ///< lists
+    std::vector<SheetIndex::Over> sheets; ///< lists
     std::size_t each = 1;
     bool in_order = false;
     std::vector<std::uint16_t> channels; ///< a lane
@@ -72,15 +74,25 @@ private:
     Vec2 u{0}, step{0};
     double rest = 0; ///< how far the ray passes by
     int turns = 0, slow = 0, halved = 0;
-    enum class State : std::uint8_t { Going, Found, Lost } state = State::Going;
+    /// Measured: found, with its root.
+    enum class State : std::uint8_t { Going, Found, Measured, Lost } state = State::Going;
     Root root;
   };
   void guess(Sheet const& sheet, std::uint32_t ask, std::uint32_t number, Vec3 const& point,
              double weight);
+  /// Newton's iteration on the polynomials of a sheet, for tasks that were last added.
+  void solve(Sheet const& sheet, BeamMap const& map, std::size_t first, Vec3 const& point,
+             double weight);
   void iterate();
   void advance(Task& task, std::size_t first, std::array<double, 2> const& h);
+  void own();
   void measure();
+  void drop_twins();
   void verify(Asks const& asks, std::vector<Root>& roots, std::vector<double>& light);
+  /// The real rays from the lamp to the last surface, where sheets are not certain.
+  /// @param light a value a lane of each that makes its chain
+  void follow_real(Asks const& asks, std::vector<std::uint32_t> const& of,
+                   std::vector<std::uint8_t>& real, double* light);
   /// Takes those out of the real ones that are not seen from their place.
   /// @param of numbers of tasks
   void look_back(Asks const& asks, std::vector<std::uint32_t> const& of,

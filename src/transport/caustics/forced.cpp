@@ -3,6 +3,7 @@
 
 #include "transport/caustics/light_paths.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abbe::transport::caustics {
@@ -43,6 +44,8 @@ void ForcedPaths::cross(Step const& step, std::size_t at, Chain const& chain, Fo
     c.direction.set(r, rays.direction.get(r));
     c.point.set(r, rays.origin.get(r) + t * rays.direction.get(r));
     rays.length[r] += t;
+    for (std::size_t m = 0; m < std::min(chain.absorbing.size(), most_absorbing); ++m)
+      if (step.before == chain.absorbing[m]) rays.inside[m][r] += t;
     good = std::min(good, r);
   }
   if (rays.valid == 0) return;
@@ -70,7 +73,11 @@ void ForcedPaths::follow(Chain const& chain, ForcedRays& rays) {
   c.each = 0;
   c.count = rays.count;
   rays.valid = first_rays(rays.count);
-  for (std::size_t r = 0; r < rays.count; ++r) rays.length[r] = 0;
+  for (std::size_t r = 0; r < rays.count; ++r) {
+    rays.length[r] = 0;
+    rays.share[r] = 1;
+    for (Values& inside : rays.inside) inside[r] = 0;
+  }
   for (std::size_t at = 0; at < chain.steps.size(); ++at) {
     Step const& step = chain.steps[at];
     rays_ += rays.count;
@@ -78,8 +85,12 @@ void ForcedPaths::follow(Chain const& chain, ForcedRays& rays) {
     if (rays.valid == 0) return;
     Arena::Scope const scope(arena_);
     bend(stage_, arena_, c);
+    if (rays.points != nullptr)
+      for (std::size_t r = 0; r < rays.count; ++r) rays.points->push_back(c.point.get(r));
     if (!step.mirror && step.bends) rays.valid &= ~c.total;
+    bool const fresnel = stage_.medium(step.before).fresnel || stage_.medium(step.after).fresnel;
     each_of(rays.valid, [&](std::size_t r) {
+      if (fresnel) rays.share[r] *= step.mirror ? c.reflectance[r] : c.transmittance[r];
       rays.origin.set(r, c.point.get(r));
       if (step.mirror)
         rays.direction.set(r, c.mirrored.get(r));

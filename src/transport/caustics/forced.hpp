@@ -5,6 +5,9 @@
 #include "transport/caustics/waves.hpp"
 #include "transport/chunk.hpp"
 
+#include <array>
+#include <vector>
+
 namespace abbe::transport::caustics {
 
 /// Rays that are led along the steps of a chain whatever else is there: each step crosses its own
@@ -12,8 +15,11 @@ namespace abbe::transport::caustics {
 /// takes it, which is what Newton's iteration and cells at edges need.
 struct ForcedRays {
   std::size_t count = 0;
-  Vectors origin, direction; ///< behind the last step, once they have gone
-  Values length;             ///< of the way
+  Vectors origin, direction;                 ///< behind the last step, once they have gone
+  Values length;                             ///< of the way
+  Values share;                              ///< that surfaces left of the light; of plain chains
+  std::array<Values, most_absorbing> inside; ///< ways in Chain::absorbing
+  std::vector<Vec3>* points = nullptr;       ///< where they meet the steps, if they are wanted
   int wave[chunk_width];
   RaySet valid = 0; ///< of the others nothing is known
 };

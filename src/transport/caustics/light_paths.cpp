@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "transport/caustics/light_paths.hpp"
 
+#include "transport/segments/absorption.hpp"
+
 #include <algorithm>
 
 namespace abbe::transport::caustics {
+namespace {
+
+bool at_most_absorbs(Medium const& medium) {
+  return std::ranges::all_of(medium.segments, [](auto const& segment) {
+    return dynamic_cast<Absorption const*>(segment.get()) != nullptr;
+  });
+}
+
+} // namespace
 
 void bend(Stage const& stage, Arena& arena, Chunk& c) {
   auto const fill = [&](auto& values, auto const& get) {
@@ -268,6 +279,7 @@ void LightPaths::send(Starts const& starts, Front const& now, std::span<std::uin
   if (!straight && before_target && !casts.target) return; // in the way of those that are
   Step step;
   step.primitive = c.hit[r].primitive;
+  step.solid = c.hit[r].solid;
   step.flat = stage_.world->shape(step.primitive).flat(c.hit[r].face);
   step.face = step.flat ? c.hit[r].face : 0;
   step.entering = c.hit[r].was_entering;
@@ -296,6 +308,8 @@ void LightPaths::send(Starts const& starts, Front const& now, std::span<std::uin
     ChainTable::Colours colours;
     colours.disperses = step.bends && (before.dispersive || after.dispersive);
     colours.coloured = !before.segments.empty() || !after.segments.empty() || !is_bare(stage_, c);
+    colours.plain = c.group == nullptr && !c.tilts && is_bare(stage_, c) && at_most_absorbs(before);
+    colours.absorbing = before.segments.empty() ? -1 : step.before;
     chain = grows_->extended(chain, step, colours);
   }
   Vec3 const direction = mirror     ? c.mirrored.get(r)

@@ -21,8 +21,28 @@ void Sheet::set(std::array<std::array<BeamRay, 9>, 2> const& rays) {
   Vec3 mean{0};
   for (BeamRay const& ray : rays[0]) mean += ray.direction;
   along = glm::normalize(mean);
-  std::tie(across, up) = axes_across(along);
   middle = rays[0][4].origin;
+  auto const [a, b] = axes_across(along);
+  // The first axis along the longest way across, at the end.
+  double xx = 0, xy = 0, yy = 0;
+  for (auto const& of_end : rays)
+    for (BeamRay const& ray : of_end) {
+      double const t =
+          (length - glm::dot(ray.origin - middle, along)) / glm::dot(ray.direction, along);
+      double const end = length / glm::dot(rays[0][4].direction, along);
+      Vec3 const off = ray.origin + t * ray.direction - (middle + end * rays[0][4].direction);
+      Vec2 const at(glm::dot(off, a), glm::dot(off, b));
+      xx += at.x * at.x;
+      xy += at.x * at.y;
+      yy += at.y * at.y;
+    }
+  double const half = 0.5 * (xx - yy), root = std::sqrt(half * half + xy * xy);
+  // Of the two expressions for the direction of the larger eigenvalue, the one that is not small.
+  Vec2 const longest = half >= 0 ? Vec2(half + root, xy) : Vec2(xy, root - half);
+  double const size = glm::length(longest);
+  Vec2 const c = size > 0 ? longest / size : Vec2(1, 0);
+  across = c.x * a + c.y * b;
+  up = glm::cross(along, across);
   for (std::size_t k = 0; k < 18; ++k) {
     BeamRay const& ray = rays[k / 9][k % 9];
     double const ahead = glm::dot(ray.direction, along);
@@ -37,49 +57,6 @@ void Sheet::set(std::array<std::array<BeamRay, 9>, 2> const& rays) {
     slope_x[k] = static_cast<float>(sx);
     slope_y[k] = static_cast<float>(sy);
   }
-}
-
-bool Sheet::may_hold(Vec3 const& point, double& first, double& last) const {
-  Vec3 const off = point - middle;
-  auto const ahead = static_cast<float>(glm::dot(off, along));
-  double begin = 0, end = 1;
-  // Sides of the rectangle around the nodes, a share wider, as they move with the wavelength: the
-  // place is inside where `at` is not below them all.
-  auto const cut = [&](float low, float high) { // a linear function is to be above zero
-    if (low >= 0 && high >= 0) return;
-    if (low < 0 && high < 0) {
-      end = -1;
-      return;
-    }
-    double const zero = low / (static_cast<double>(low) - high);
-    if (low < 0)
-      begin = std::max(begin, zero);
-    else
-      end = std::min(end, zero);
-  };
-  auto const axis = [&](std::array<float, 18> const& at, std::array<float, 18> const& slope,
-                        double place) {
-    float least[2], most[2];
-    for (std::size_t i = 0; i < 2; ++i) {
-      least[i] = most[i] = at[9 * i] + ahead * slope[9 * i];
-      for (std::size_t k = 9 * i + 1; k < 9 * i + 9; ++k) {
-        float const value = at[k] + ahead * slope[k];
-        least[i] = std::min(least[i], value);
-        most[i] = std::max(most[i], value);
-      }
-      float const more = 0.25F * (most[i] - least[i]);
-      least[i] -= more;
-      most[i] += more;
-    }
-    auto const p = static_cast<float>(place);
-    cut(p - least[0], p - least[1]);
-    cut(most[0] - p, most[1] - p);
-  };
-  axis(x, slope_x, glm::dot(off, across));
-  if (end >= begin) axis(y, slope_y, glm::dot(off, up));
-  first = from + begin * (to - from);
-  last = from + end * (to - from);
-  return end >= begin;
 }
 
 } // namespace abbe::transport::caustics

@@ -45,16 +45,21 @@ struct Sheet {
   double length = 0; ///< of its longest ray
   /// As large as the largest piece of the emission in it that all comes through.
   double grain = 0;
+  double flux = 0; ///< that it carries, of the lamp's in units of the emission
+  /// By how much rays of the cell are outside of a rectangle around the nodes, as a share of it.
+  float margin = 0.25F;
+  double power = 0; ///< what its strongest ray has left of the lamp's light
+  /// Nothing is in the way of its rays, which all make the chain, and their map tells their light.
+  bool certain = false;
+  std::int32_t map = -1; ///< number of the BeamMap that tells its rays; -1: none does
 
   /// Nodes' rays where the beam is `ahead` long, relative to a point.
   Vec3 at(std::size_t node, double ahead) const {
     return middle + ahead * along + (x[node] + ahead * slope_x[node]) * across
            + (y[node] + ahead * slope_y[node]) * up;
   }
-  /// From where to where between the ends of the spectrum the beam may hold a point: 0 .. 1.
-  /// @return false: nowhere
-  bool may_hold(Vec3 const& point, double& first, double& last) const;
   /// @param rays nine at each end; all go forward along the mean of the first nine
+  /// @pre length: the axes lie as the beam does there
   void set(std::array<std::array<BeamRay, 9>, 2> const& rays);
 };
 

@@ -15,6 +15,10 @@ constexpr int deepest = 20;
 /// How many levels finer than the casters are large cells are looked at first: openings that light
 /// comes through may be smaller than what it falls on.
 constexpr int first_look = 3;
+/// What whole chains may be left out for being weak, as a share of the error.
+constexpr double weak_share = 0.1;
+/// Pieces of the spectrum that are not cut further in looking for where it ends.
+constexpr int whole_pieces = 16;
 constexpr std::size_t most_sheets = 1'000'000, most_cells = 1'000'000;
 /// How curved a map may be in a cell: second differences, taken back by its linear part. Newton's
 /// iteration converges from a guess of the linear part below 1/2.
@@ -251,7 +255,7 @@ SheetBuilder::Verdict SheetBuilder::judge(Cell const& cell, int chain,
     if (low != high) {
       // A part of the spectrum is reflected totally: to where?
       int good = low ? out.from : out.to, bad = low ? out.to : out.from;
-      while (std::abs(good - bad) > 1) {
+      while (std::abs(good - bad) > whole_pieces) {
         int const middle = (good + bad) / 2;
         (at(middle, low ? 1 : 0) ? good : bad) = middle;
       }
@@ -295,7 +299,7 @@ void SheetBuilder::emit_piece(Sheet sheet, int from, int to, Nine const& low, Ni
                               std::vector<Sheet>& sheets) {
   int const middle = (from + to) / 2;
   Nine between;
-  if (to - from > 1
+  if (to - from > whole_pieces
       && nine(sheet.cell, sheet.chain, spectrum_[static_cast<std::size_t>(middle)], between)
       && !is_between(low, between, high, ways)) {
     emit_piece(sheet, from, middle, low, between, ways, far, sheets);
@@ -304,8 +308,8 @@ void SheetBuilder::emit_piece(Sheet sheet, int from, int to, Nine const& low, Ni
   }
   sheet.from = static_cast<double>(from) / spectrum_pieces;
   sheet.to = static_cast<double>(to) / spectrum_pieces;
-  sheet.set({low, high});
   sheet.length = far;
+  sheet.set({low, high});
   sheets.push_back(sheet);
 }
 
@@ -351,16 +355,17 @@ void SheetBuilder::look(Work& work, std::vector<Sheet>& sheets) {
   work.bad = 0;
   for (auto& [chain, of] : chains) {
     bool wanted = of.receives;
-    for (std::size_t k = 0; !wanted && k < places_.receivers.size(); ++k)
-      wanted = meets(places_.receivers[k], of.low, of.high);
+    auto const& boxes = places_.receivers.boxes();
+    for (std::size_t k = 0; !wanted && k < boxes.size(); ++k)
+      wanted = meets(boxes[k], of.low, of.high);
     if (!wanted) continue;
     std::uint32_t over = sheet_over(work.cell, chain);
     bool ok = over != none;
+    double far = of.ends_nowhere ? std::max(of.far, places_.far) : of.far;
+    if (of.nodes < 9) far = 2 * far;
     if (!ok) {
-      if (of.far == 0) of.near = of.far = places_.far;
-      double far = of.ends_nowhere ? std::max(of.far, places_.far) : of.far;
-      if (of.nodes < 9) far = 2 * far;
-      std::array const ways{of.near, 0.5 * (of.near + of.far), of.far};
+      if (of.far == 0) of.near = of.far = places_.size;
+      std::array const ways{of.near, 0.5 * (of.near + of.far), far};
       Verdict verdict = judge(work.cell, chain, ways);
       ok = verdict.ok;
       if (ok) {
@@ -375,12 +380,13 @@ void SheetBuilder::look(Work& work, std::vector<Sheet>& sheets) {
         emit(cell, chain, verdict, ways, 1.0625 * far, sheets);
       }
     }
-    if (over != none && of.far > 0)
-      sheets[over].length =
-          std::max(sheets[over].length, 1.0625 * (of.nodes < 9 ? 2 * of.far : of.far));
+    if (over != none) sheets[over].length = std::max(sheets[over].length, 1.0625 * far);
     // A whole cell tells how large a piece comes through; a part of one, where no cell is whole.
     bool const whole = of.nodes == 9 && of.all_ends;
     if (over != none) {
+      // Each leaf adds its own: a cell that is cut does not.
+      sheets[over].flux += flux * of.power * of.nodes / 9;
+      sheets[over].power = std::max(sheets[over].power, of.power);
       double& grain = sheets[over].grain; // below zero while no cell was whole
       if (whole)
         grain = std::max(grain, size);
@@ -396,6 +402,25 @@ void SheetBuilder::look(Work& work, std::vector<Sheet>& sheets) {
     else
       flux_of_.erase(chain);
   }
+}
+
+double SheetBuilder::drop_weak(std::vector<Sheet>& sheets, double total) const {
+  std::map<int, double> flux;
+  for (Sheet const& sheet : sheets) flux[sheet.chain] += sheet.flux;
+  std::vector<std::pair<double, int>> chains;
+  for (auto const& [chain, sum] : flux) chains.emplace_back(sum, chain);
+  std::ranges::sort(chains);
+  double dropped = 0;
+  std::vector<int> weak;
+  for (auto const& [sum, chain] : chains) {
+    if (dropped + sum > weak_share * error_ * total) break;
+    dropped += sum;
+    weak.push_back(chain);
+  }
+  std::erase_if(sheets, [&](Sheet const& sheet) {
+    return std::ranges::find(weak, sheet.chain) != weak.end();
+  });
+  return dropped / total;
 }
 
 Found SheetBuilder::build(int lamp, Emission const& emission, std::vector<Sheet>& sheets) {
@@ -464,6 +489,7 @@ Found SheetBuilder::build(int lamp, Emission const& emission, std::vector<Sheet>
         sheet.cell.level > root_level_ ? sheet_over(sheet.cell.parent(), sheet.chain) : none;
     if (over != none) {
       sheets[over].grain = std::max(sheets[over].grain, sheet.grain);
+      sheets[over].power = std::max(sheets[over].power, sheet.power);
       sheets[over].length = std::max(sheets[over].length, sheet.length);
       continue;
     }
@@ -474,10 +500,13 @@ Found SheetBuilder::build(int lamp, Emission const& emission, std::vector<Sheet>
     bool const piece =
         k > 0 && kept[k].chain == kept[k - 1].chain && kept[k].cell == kept[k - 1].cell;
     kept[k].grain = std::abs(piece ? kept[k - 1].grain : kept[k].grain);
-    if (piece) kept[k].length = kept[k - 1].length;
+    if (!piece) continue;
+    kept[k].length = kept[k - 1].length;
+    kept[k].power = kept[k - 1].power;
   }
-  for (Sheet& sheet : kept) sheet.far += sheet.length;
+  found.missing += drop_weak(kept, total);
   sheets.resize(first);
+  for (Sheet& sheet : kept) sheet.far += sheet.length;
   sheets.insert(sheets.end(), kept.begin(), kept.end());
   found.rays = paths_.rays() + forced_.rays();
   found.cut = paths_.cut() / std::max<double>(1, static_cast<double>(nodes_.size()));

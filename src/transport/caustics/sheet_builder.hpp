@@ -4,6 +4,7 @@
 #include "transport/caustics/emission.hpp"
 #include "transport/caustics/forced.hpp"
 #include "transport/caustics/light_paths.hpp"
+#include "transport/caustics/receivers.hpp"
 #include "transport/caustics/sheet.hpp"
 
 #include <map>
@@ -31,10 +32,11 @@ public:
   struct Places {
     std::vector<Ball> casters;
     geometry::Bounds casters_hull;
-    std::vector<geometry::Bounds> receivers; ///< finite ones
-    double far = 0;                          ///< as large as the scene
+    Receivers receivers;
+    double size = 0; ///< of what is finite
+    double far = 0;  ///< how far light goes that meets nothing
   };
-  static constexpr int spectrum_pieces = 64;
+  static constexpr int spectrum_pieces = 1024;
   /// @param spectrum waves from one end of it to the other, one more than its pieces; or one, where
   /// it has none
   SheetBuilder(Stage const& stage, Waves const& waves, std::vector<int> const& spectrum,
@@ -80,6 +82,8 @@ private:
   /// The sheet of a chain that a cell lies in, or none.
   static constexpr std::uint32_t none = 0xffffffff;
   std::uint32_t sheet_over(Cell cell, int chain) const;
+  /// Takes out the chains that carry the least. @return the share of the flux that they had
+  double drop_weak(std::vector<Sheet>& sheets, double total) const;
   std::uint64_t key_of(Cell const& cell, int node) const;
   Emission::Place place_of(Cell const& cell, int node) const;
 

@@ -36,7 +36,7 @@ TEST(ContactOfMedia, IsCalledForByTwoRefractingSolidsThatMayTouch) {
   // Within unions, and beside a half-space.
   scene::Object both;
   both.kind = scene::Object::Kind::Union;
-  both.children = {box(0, 1.5), box(1, 1.5)};
+  both.children = std::vector{box(0, 1.5), box(1, 1.5)};
   EXPECT_TRUE(contact_in({both}).on);
   scene::Object water = box(0, 1.33);
   auto const placed = *geometry::make_plane({0, 1, 0}, -1);
@@ -53,7 +53,7 @@ TEST(ContactOfMedia, IsOffWhereNothingCallsForIt) {
   EXPECT_FALSE(contact_in({box(0, 1.5), box(1, 1.5)}, 0).on);
   scene::Object merged;
   merged.kind = scene::Object::Kind::Merge;
-  merged.children = {box(0, 1.5), box(1, 1.5)};
+  merged.children = std::vector{box(0, 1.5), box(1, 1.5)};
   EXPECT_FALSE(contact_in({merged}).on);
 }
 

@@ -151,7 +151,7 @@ TEST(Media, CameraInAHoleIsInAir) {
   auto const shell = [](int priority) {
     scene::Object out;
     out.kind = scene::Object::Kind::Difference;
-    out.children = {medium(ball(3), 2, priority), medium(ball(1), 2, priority)};
+    out.children = std::vector{medium(ball(3), 2, priority), medium(ball(1), 2, priority)};
     out.interior = out.children[0].interior;
     return out;
   };

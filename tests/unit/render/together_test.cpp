@@ -150,7 +150,8 @@ TEST(Together, MediaThatTouchAreThoseOfEachAlone) {
       };
       scene::Object vessel;
       vessel.kind = scene::Object::Kind::Difference;
-      vessel.children = {box({-1.2, -1.1, 3}, {1.2, 1, 5}), box({-1, -0.9, 3.2}, {1, 2, 4.8})};
+      vessel.children =
+          std::vector{box({-1.2, -1.1, 3}, {1.2, 1, 5}), box({-1, -0.9, 3.2}, {1, 2, 4.8})};
       scene.objects.push_back(with_glass(vessel, n_sf11(), mode));
       Vec3 const short_of(gap);
       scene.objects.push_back(with_glass(
