@@ -98,14 +98,8 @@ bool Instances::may_have(scene::SharedLayers const& texture) {
   return is_plain(texture) && opaque(texture);
 }
 
-Instances::Content Instances::content(Object const& object) {
-  Content out{object.kind == Object::Kind::Shape ? 1.0 : 0.0, is_simple(object)};
-  auto const& parts = object.children;
-  if (auto const known = seen_.find(parts.id()); known != seen_.end()) {
-    out.shapes = known->second.content.shapes;
-    out.simple = out.simple && known->second.content.simple;
-    return out;
-  }
+Instances::Content Instances::content(SharedList<Object> const& parts) {
+  if (auto const known = seen_.find(parts.id()); known != seen_.end()) return known->second.content;
   Content inside;
   for (Object const& part : parts) {
     Content const own = content(part);
@@ -114,9 +108,13 @@ Instances::Content Instances::content(Object const& object) {
   }
   // The null list's address is that of all empty ones.
   if (!parts.empty() && parts.shares()) seen_[parts.id()] = {parts, inside};
-  out.shapes += inside.shapes;
-  out.simple = out.simple && inside.simple;
-  return out;
+  return inside;
+}
+
+Instances::Content Instances::content(Object const& object) {
+  Content const inside = content(object.children);
+  bool const shape = object.kind == Object::Kind::Shape;
+  return {inside.shapes + (shape ? 1.0 : 0.0), inside.simple && is_simple(object)};
 }
 
 bool Instances::wants(Object const& object, bool in_instance) {
@@ -127,12 +125,7 @@ bool Instances::wants(Object const& object, bool in_instance) {
   }
   if (!shared) return false;
   // What the union itself says is for all of it.
-  Content inside;
-  for (Object const& part : object.children) {
-    Content const own = content(part);
-    inside.shapes += own.shapes;
-    inside.simple = inside.simple && own.simple;
-  }
+  Content const inside = content(object.children);
   return inside.simple && inside.shapes >= least_instance && copied_ + inside.shapes > most_copied;
 }
 

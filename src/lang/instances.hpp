@@ -54,6 +54,7 @@ private:
     bool simple = true;
   };
   Content content(scene::Object const& object);
+  Content content(SharedList<scene::Object> const& parts);
 
   double copied_ = 0;
   /// By lists of parts, which are kept so that their addresses stay their own.
