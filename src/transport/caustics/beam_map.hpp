@@ -60,7 +60,6 @@ public:
   /// By how much rays pass where they should, as a share of the map's longest stretch.
   double off() const { return off_; }
   void set_off(double off) { off_ = off; }
-  std::size_t bytes() const { return terms_.size() * sizeof(float); }
 
 private:
   float const* of(std::size_t quantity) const { return terms_.data() + quantity * waves_ * room; }

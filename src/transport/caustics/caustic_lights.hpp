@@ -42,7 +42,6 @@ public:
   /// rays beside each other.
   std::vector<CausticLight> const& lights();
   double const* values(CausticLight const& light) const { return values_.data() + light.values; }
-  std::uint64_t rays() const { return connector_.rays(); }
 
 private:
   /// A piece of a band at a place, of one chain, between two wavelengths whose roots are known.

@@ -66,8 +66,6 @@ public:
   void find(std::size_t lamp, std::vector<LitPlace> const& places, geometry::Groups const& groups,
             Asks const& asks, std::vector<Root>& roots, std::vector<double>& light);
 
-  std::uint64_t rays() const { return forced_.rays() + paths_.rays(); }
-
 private:
   struct Task {
     std::uint32_t ask, sheet;
