@@ -75,7 +75,7 @@ void SheetIndex::add_pieces(Sheet const& sheet, std::uint32_t number,
       if (i == 0) wide_begin = std::max(wide_begin, at[end][i].size());
     }
   if (!receivers.may_be_in(box.low, box.high)) return;
-  if (halvings < most_halvings && to - from > 2 * wide) {
+  if (halvings < most_halvings && to - from > 4 * wide) {
     // A beam that is long grows wide.
     double const before = from - sheet.near + wide_begin;
     double const middle = to - from > 8 * before ? from + 4 * before : 0.5 * (from + to);

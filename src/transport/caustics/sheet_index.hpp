@@ -31,7 +31,7 @@ public:
   void find(std::span<Want const> wants, std::vector<std::vector<Over>>& out) const;
 
 private:
-  static constexpr int slices = 16;
+  static constexpr int slices = 4;
   /// A beam between two distances and two places in the spectrum.
   struct Piece {
     std::uint32_t sheet = 0;
