@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <unistd.h>
 
 namespace abbe::lang {
 namespace {
@@ -80,9 +82,12 @@ TEST(StatementStreams, ReadOnInABlockThatAnIfLeftOpen) {
 
 class Folder : public testing::Test {
 protected:
-  Folder() : folder_(fs::path(testing::TempDir()) / "statement_streams") {
+  // Each test of its own: they may run at the same time.
+  Folder()
+      : folder_(fs::path(testing::TempDir()) / ("statement_streams_" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
   }
+  ~Folder() override { fs::remove_all(folder_); }
   fs::path write(char const* name, std::string const& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
