@@ -17,7 +17,7 @@ namespace abbe {
 
 namespace {
 
-/// What temporary names of a target begin with. A name has at most 255 bytes.
+/// The temporary names of a target begin with this. A name has at most 255 bytes.
 std::string stem_of(std::filesystem::path const& target) {
   return fmt::format(".{}.", target.filename().string().substr(0, 200));
 }

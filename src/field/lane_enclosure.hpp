@@ -234,7 +234,7 @@ Known<L> chosen(Known<L> const& a, Known<L> const& b, bool less) {
                            : Span<L>{lane::max(a.v.low, b.v.low), lane::max(a.v.high, b.v.high)};
   auto const sound = lane::both(size(a.d) < L(all), size(b.d) < L(all));
   auto const lower = a.c < b.c;
-  // What is undefined in the middle is not what is chosen there.
+  // A value that is undefined in the middle is not chosen there.
   auto const known = [](L const& e) { return lane::select(e == e, e, L(0.0)); };
   return {select(sound, own, hull(a.v, b.v)),
           select(sound, select(first, a.d, select(second, b.d, hull(a.d, b.d))),

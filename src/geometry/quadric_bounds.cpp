@@ -77,7 +77,7 @@ void narrow(std::array<double, 10> const& k, std::size_t axis, Ranges& x) {
   if (!b.finite() || a < 0) return;
   Range found;
   if (a > 0) {
-    // Where the rest is positive there may be less than what 0 gives, and no more.
+    // A positive rest leaves less than 0 does, so that 0 is taken for it.
     double const room = -4 * a * std::min(rest, 0.0);
     found = {(-b.high - std::sqrt(b.high * b.high + room)) / (2 * a),
              (-b.low + std::sqrt(b.low * b.low + room)) / (2 * a)};

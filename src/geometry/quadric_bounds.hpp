@@ -9,7 +9,7 @@
 
 namespace abbe::geometry {
 
-/// What a quadric holds, in the directions of the world.
+/// A quadric by its equation in the directions of the world.
 struct WorldQuadric {
   /// Where x, y and z are counted from: coefficients of a body far from the origin keep their
   /// digits.

@@ -27,7 +27,7 @@ Error cannot_write(fs::path const& path, std::string const& why) {
   return Error{"E0510", fmt::format("cannot write '{}': {}", path.string(), why)};
 }
 
-/// What temporary names of a target begin with.
+/// The temporary names of a target begin with this.
 std::string temporary_stem(fs::path const& target) {
   return fmt::format(".{}.", target.filename().string().substr(0, 200));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transport/tracer.hpp"
 
+#include "transport/meeting.hpp"
 #include "transport/tilt.hpp"
 
 #include "transport/runs.hpp"
@@ -262,8 +263,7 @@ BucketKey Tracer::plain_meeting(MediaStacks::Id before, geometry::RayHit const& 
 
 BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
   using Kind = geometry::RayHit::Kind;
-  geometry::RayHit& hit = hits_.hit[k];
-  bool const found = hit.kind != Kind::Nothing;
+  bool const found = hits_.hit[k].kind != Kind::Nothing;
   double const t = found ? hits_.t[k] : infinity;
   MediaStacks::Id before = rays.stack[k];
   rest_[k] = t;
@@ -278,28 +278,10 @@ BucketKey Tracer::meeting_of(Rays& rays, std::size_t k) {
     rest_[k] = end.rest;
   }
   before_[k] = before;
+  if (found) return transport::meeting_of(stage_, stacks_, hits_, k, before, after_[k]);
+  after_[k] = before;
   BucketKey key;
   key.before = stacks_.medium(before);
-  if (!found) {
-    after_[k] = before;
-    return key;
-  }
-  geometry::HitGroup* const group =
-      hit.kind == Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
-  after_[k] =
-      group != nullptr ? stacks_.after(before, group->crossings) : stacks_.after(before, hit);
-  bool const shown =
-      !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after_[k], hit, group);
-  key.after = stacks_.medium(after_[k]);
-  key.left = stacks_.left(before, after_[k]);
-  if (group != nullptr) {
-    key.kind = BucketKey::Kind::Several;
-    key.number = hits_.group[k];
-  } else {
-    key.kind = shown ? BucketKey::Kind::Surface : BucketKey::Kind::Displaced;
-    key.surface = shown ? surface_class(stage_.textures, hit.primitive) : 0;
-    key.entering = hit.entering;
-  }
   return key;
 }
 

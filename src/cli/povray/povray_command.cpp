@@ -80,7 +80,7 @@ std::string find_input(PovraySettings const& settings) {
   return "";
 }
 
-/// What the options have read before the scene.
+/// Statements that the options have read before the scene.
 std::string statements_before(PovraySettings const& settings) {
   std::string text;
   if (settings.version) text += fmt::format("#version {};\n", *settings.version);

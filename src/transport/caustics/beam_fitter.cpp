@@ -123,17 +123,7 @@ bool BeamFitter::trace(Chain const& chain, Sheet const& sheet, std::span<Vec2 co
 
 bool BeamFitter::trace_nine(Chain const& chain, Sheet const& sheet, int wave,
                             std::array<BeamRay, 9>& out) {
-  rays_.count = 9;
-  for (std::size_t k = 0; k < 9; ++k) {
-    Emission::Place const place{sheet.cell.face,
-                                sheet.cell.low()
-                                    + 0.5 * sheet.cell.size() * node_place(static_cast<int>(k))};
-    rays_.origin.set(k, emission_.origin(place));
-    rays_.direction.set(k, emission_.direction(place));
-    rays_.wave[k] = wave;
-  }
-  forced_.follow(chain, rays_);
-  if (rays_.valid != first_rays(9)) return false;
+  if (!forced_.follow_nodes(chain, emission_, sheet.cell, wave, rays_)) return false;
   for (std::size_t k = 0; k < 9; ++k) out[k] = {rays_.origin.get(k), rays_.direction.get(k)};
   return true;
 }

@@ -57,21 +57,14 @@ bool Certainty::clear(std::span<Vec3 const> from, std::span<Vec3 const> to, Step
 
 bool Certainty::clear(Sheet const& sheet, int wave) {
   Chain const& chain = chains_[sheet.chain];
-  std::vector<Vec3> from(9), points;
-  rays_.count = 9;
-  for (std::size_t k = 0; k < 9; ++k) {
-    Emission::Place const place{sheet.cell.face,
-                                sheet.cell.low()
-                                    + 0.5 * sheet.cell.size() * node_place(static_cast<int>(k))};
-    from[k] = emission_.origin(place);
-    rays_.origin.set(k, from[k]);
-    rays_.direction.set(k, emission_.direction(place));
-    rays_.wave[k] = wave;
-  }
+  std::vector<Vec3> from, points;
+  for (int k = 0; k < 9; ++k)
+    from.push_back(emission_.origin(
+        {sheet.cell.face, sheet.cell.low() + 0.5 * sheet.cell.size() * node_place(k)}));
   rays_.points = &points;
-  forced_.follow(chain, rays_);
+  bool const there = forced_.follow_nodes(chain, emission_, sheet.cell, wave, rays_);
   rays_.points = nullptr;
-  if (rays_.valid != first_rays(9)) return false;
+  if (!there) return false;
   for (std::size_t step = 0; step < chain.steps.size(); ++step) {
     auto const to = std::span<Vec3 const>(points).subspan(9 * step, 9);
     if (!clear(from, to, step > 0 ? &chain.steps[step - 1] : nullptr, chain.steps[step]))

@@ -100,4 +100,18 @@ void ForcedPaths::follow(Chain const& chain, ForcedRays& rays) {
   }
 }
 
+bool ForcedPaths::follow_nodes(Chain const& chain, Emission const& emission, Cell const& cell,
+                               int wave, ForcedRays& rays) {
+  rays.count = 9;
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    Emission::Place const place{cell.face,
+                                cell.low() + 0.5 * cell.size() * node_place(static_cast<int>(k))};
+    rays.origin.set(k, emission.origin(place));
+    rays.direction.set(k, emission.direction(place));
+    rays.wave[k] = wave;
+  }
+  follow(chain, rays);
+  return rays.valid == first_rays(rays.count);
+}
+
 } // namespace abbe::transport::caustics

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "transport/caustics/chain.hpp"
+#include "transport/caustics/emission.hpp"
+#include "transport/caustics/sheet.hpp"
 #include "transport/caustics/waves.hpp"
 #include "transport/chunk.hpp"
 
@@ -30,6 +32,9 @@ public:
       : stage_(stage), waves_(waves), scratch_(geometry::World::make_scratch()) {}
   /// @param rays `count` of them from the lamp
   void follow(Chain const& chain, ForcedRays& rays);
+  /// Those of the nodes of a cell (node_place). @return false: some are not there
+  bool follow_nodes(Chain const& chain, Emission const& emission, Cell const& cell, int wave,
+                    ForcedRays& rays);
   std::uint64_t rays() const { return rays_; }
 
 private:

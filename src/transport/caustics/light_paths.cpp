@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transport/caustics/light_paths.hpp"
 
+#include "transport/meeting.hpp"
 #include "transport/segments/absorption.hpp"
 
 #include <algorithm>
@@ -143,38 +144,16 @@ void LightPaths::arrive(Front& now, std::vector<Segment>& out) {
   before_.resize(keys_.size());
   after_.resize(keys_.size());
   for (std::size_t k = 0; k < now.count; ++k) {
-    geometry::RayHit& hit = hits_.hit[k];
+    geometry::RayHit const& hit = hits_.hit[k];
     bool const found = hit.kind != geometry::RayHit::Kind::Nothing;
     if (now.segment[k] != no_segment) {
       Segment& segment = out[now.segment[k]];
       segment.far = found ? hits_.t[k] : std::numeric_limits<double>::infinity();
       segment.receives = receives(hit);
     }
-    BucketKey key;
-    MediaStacks::Id const before = now.stack[k];
-    before_[k] = after_[k] = before;
-    key.before = stacks_.medium(before);
-    if (!found) {
-      keys_[k] = key;
-      continue;
-    }
-    geometry::HitGroup* const group =
-        hit.kind == geometry::RayHit::Kind::Group ? &hits_.groups[hits_.group[k]] : nullptr;
-    after_[k] =
-        group != nullptr ? stacks_.after(before, group->crossings) : stacks_.after(before, hit);
-    bool const shown =
-        !stage_.has_priorities || drop_displaced(stage_, stacks_, before, after_[k], hit, group);
-    key.after = stacks_.medium(after_[k]);
-    key.left = stacks_.left(before, after_[k]);
-    if (group != nullptr) {
-      key.kind = BucketKey::Kind::Several;
-      key.number = hits_.group[k];
-    } else {
-      key.kind = shown ? BucketKey::Kind::Surface : BucketKey::Kind::Displaced;
-      key.surface = shown ? surface_class(stage_.textures, hit.primitive) : 0;
-      key.entering = hit.entering;
-    }
-    keys_[k] = key;
+    before_[k] = after_[k] = now.stack[k];
+    keys_[k] = {};
+    if (found) keys_[k] = meeting_of(stage_, stacks_, hits_, k, before_[k], after_[k]);
   }
 }
 

@@ -281,15 +281,7 @@ SheetBuilder::Verdict SheetBuilder::judge(Cell const& cell, int chain,
 
 bool SheetBuilder::nine(Cell const& cell, int chain, int wave, Nine& out) {
   ForcedRays rays;
-  rays.count = 9;
-  for (std::size_t k = 0; k < 9; ++k) {
-    Emission::Place const place = place_of(cell, static_cast<int>(k));
-    rays.origin.set(k, emission_->origin(place));
-    rays.direction.set(k, emission_->direction(place));
-    rays.wave[k] = wave;
-  }
-  forced_.follow(chains_[chain], rays);
-  if (rays.valid != first_rays(9)) return false;
+  if (!forced_.follow_nodes(chains_[chain], *emission_, cell, wave, rays)) return false;
   for (std::size_t k = 0; k < 9; ++k) out[k] = {rays.origin.get(k), rays.direction.get(k)};
   return true;
 }
